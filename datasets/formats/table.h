@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace handcraft::datasets {
+
+/// A table of numbers with named columns and one label a row.
+struct Table {
+  std::vector<std::string> columns;  ///< feature names, label column left out
+  std::vector<double> values;        ///< row-major num_rows × columns.size()
+  std::size_t num_rows = 0;
+  std::string label_column;
+  std::vector<std::string> labels;  ///< as text, one a row; empty when there is no label column
+};
+
+/// Reads CSV (header line, RFC 4180 quotes, '.' decimals) or NPY (rank 2, f4/f8/integers, C or
+/// Fortran order; columns are named "0", "1", …; `label_column` is then a number, −1 the last one).
+/// An empty label_column reads features alone. Throws Error with line (CSV) or byte (NPY): ragged
+/// rows, text where a number is due, NaN and infinities, a label column that does not exist (the
+/// ones that do are listed).
+[[nodiscard]] Table ReadTable(const std::filesystem::path& path, const std::string& label_column);
+
+/// The two labels of a table, negative first: numbers in numeric order, words in alphabetical
+/// order. Throws Error(kBadInput) unless there are exactly two.
+struct BinaryLabels {
+  std::string negative;
+  std::string positive;
+  std::vector<std::uint8_t> values;  ///< 1 where positive
+};
+[[nodiscard]] BinaryLabels ToBinaryLabels(const Table& table, const std::filesystem::path& path);
+
+/// Writes a row-major matrix as NPY version 1.0 (little-endian), atomically.
+void WriteNpy(const std::filesystem::path& path,
+              const float* values,
+              std::size_t rows,
+              std::size_t columns);
+void WriteNpy(const std::filesystem::path& path,
+              const double* values,
+              std::size_t rows,
+              std::size_t columns);
+
+}  // namespace handcraft::datasets

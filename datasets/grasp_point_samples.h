@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "datasets/formats/labelled_image_set.h"
+#include "lib/core/progress.h"
+#include "lib/features/feature_spec.h"
+
+namespace handcraft::datasets {
+
+/// How good and bad pixels are drawn from labelled pictures (dissertation section 3.3).
+struct SamplingOptions {
+  std::size_t num_samples = 40000;   ///< wanted in all; 0: every labelled pixel
+  double bad_per_good = 1.0;         ///< ratio, > 0; 1 as in the dissertation
+  double image_share = 1.0;          ///< share of the images used, (0, 1], drawn by instance
+  double hard_negative_share = 0.0;  ///< share of bad pixels drawn near good ones, [0, 1]
+  int hard_negative_radius_px = 40;  ///< … no farther than this from a good pixel
+  std::uint64_t seed = 1;
+  int num_threads = 1;
+  Progress progress = {};
+
+  /// Throws Error(kUsage) naming field, value and rule.
+  void Validate() const;
+
+  template <class Visitor>
+  void VisitFields(Visitor&& visit) const {
+    visit("num_samples", num_samples);
+    visit("bad_per_good", bad_per_good);
+    visit("image_share", image_share);
+    visit("hard_negative_share", hard_negative_share);
+    visit("hard_negative_radius_px", hard_negative_radius_px);
+    visit("seed", seed);
+  }
+};
+
+struct PixelSample {
+  std::uint32_t image = 0;  ///< index into the set
+  std::uint16_t u_px = 0;
+  std::uint16_t v_px = 0;
+  std::uint8_t label = 0;  ///< 1 good, 0 bad
+};
+
+/// Draws the pixels: each image gives the same number of good ones (as far as it has them; what it
+/// lacks is taken from the others in turn) and bad_per_good times as many bad ones; don't-care is
+/// never drawn; no pixel twice. Sorted by image, row, column. Throws Error when no image has both.
+/// Deterministic in the seed; a picture's draws do not depend on the other pictures.
+[[nodiscard]] std::vector<PixelSample> DrawSamples(const LabelledImageSet& set,
+                                                   const SamplingOptions& options);
+
+/// The feature vectors of the samples.
+struct GraspPointSamples {
+  std::vector<float> features;  ///< row-major num_samples × num_features
+  std::vector<std::uint8_t> labels;
+  std::size_t num_features = 0;
+  [[nodiscard]] std::size_t num_samples() const noexcept { return labels.size(); }
+};
+[[nodiscard]] GraspPointSamples ComputeSampleFeatures(const LabelledImageSet& set,
+                                                      const std::vector<PixelSample>& samples,
+                                                      const features::FeatureSpec& spec,
+                                                      const SamplingOptions& options);
+
+}  // namespace handcraft::datasets

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "datasets/formats/labelled_image_set.h"
+#include "experiments/metrics/binary_metrics.h"
+#include "lib/core/progress.h"
+#include "lib/runtime/handcraft_runtime.h"
+
+namespace handcraft::experiments {
+
+struct EvaluationOptions {
+  double threshold = 0.5;               ///< of the confusion matrix, (0, 1)
+  int best_pixels = 15;                 ///< "up to 15 pixels with highest probabilities" (3.3.1)
+  double best_min_probability = 0.9;    ///< "greater than 90 %"
+  int suppression_radius_px = 0;        ///< 0 as in the dissertation
+  std::size_t pixels_per_image = 4000;  ///< labelled pixels scored an image, half good half bad
+  std::size_t bootstrap_resamples = 1000;
+  std::uint64_t seed = 1;
+  int num_threads = 1;
+  Progress progress = {};
+  void Validate() const;
+};
+
+struct BestPixel {
+  int u_px = 0;
+  int v_px = 0;
+  float probability = 0.0F;
+  std::uint8_t mask_value = 0;
+};
+
+/// One image, scored by the runtime.
+struct ImageScore {
+  std::size_t item = 0;              ///< index into the set
+  std::vector<BestPixel> best;       ///< up to best_pixels, best first
+  std::vector<float> probabilities;  ///< of the drawn labelled pixels
+  std::vector<std::uint8_t> labels;
+  double score_ms = 0.0;
+};
+
+/// Figures over a group of images (a class, or all).
+struct GroupFigures {
+  std::string name;
+  std::size_t num_images = 0;
+  std::size_t num_images_without_best = 0;  ///< no pixel above best_min_probability
+  std::size_t best_total = 0;               ///< best pixels on good or bad ground
+  std::size_t best_good = 0;
+  std::size_t best_dont_care = 0;  ///< shown, not counted
+  Estimate best_pixel_accuracy;    ///< the dissertation's measure; bootstrap over images
+  ConfusionMatrix confusion;
+  Estimate accuracy;  ///< bootstrap over images
+  Estimate auc;       ///< bootstrap over images
+  double log_loss = 0.0;
+  double brier = 0.0;
+};
+
+struct GraspPointEvaluation {
+  EvaluationOptions options;
+  std::string data_fingerprint;
+  std::vector<ImageScore> images;
+  GroupFigures all;
+  std::vector<GroupFigures> classes;  ///< by name
+  std::vector<RocPoint> roc;
+};
+
+/// Scores every image of the set with the runtime and forms the figures.
+[[nodiscard]] GraspPointEvaluation EvaluateGraspPoints(const hc_model* model,
+                                                       const datasets::LabelledImageSet& set,
+                                                       const EvaluationOptions& options);
+
+/// JSON text, keys stable; times left out so that two runs give the same bytes.
+[[nodiscard]] std::string ToJson(const GraspPointEvaluation& evaluation,
+                                 const datasets::LabelledImageSet& set);
+
+/// Writes one self-contained page (figures as inline SVG, overlays as embedded PNG): opens offline.
+void WriteHtmlReport(const std::filesystem::path& path,
+                     const GraspPointEvaluation& evaluation,
+                     const datasets::LabelledImageSet& set,
+                     const hc_model* model);
+
+}  // namespace handcraft::experiments

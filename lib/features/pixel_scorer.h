@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "lib/features/colour.h"
+#include "lib/features/feature_spec.h"
+
+namespace handcraft::features {
+
+/// Instruction sets with a version of the scorer of their own. All but kBaseline round every
+/// operation alike and give the same bits; kBaseline (SSE2, or plain C++) has no fused multiply-add
+/// and differs in the last bits.
+enum class InstructionSet : std::uint8_t { kBaseline, kNeon, kAvx2, kAvx512 };
+
+[[nodiscard]] std::string_view NameOf(InstructionSet set) noexcept;
+/// Those this processor can run, best last.
+[[nodiscard]] std::span<const InstructionSet> SupportedInstructionSets() noexcept;
+
+/// Scores every pixel of a picture with a linear model on its features, without ever forming the
+/// feature vectors:
+///   z(u, v) = intercept + Σ_f Σ_{dv,du} w[f, dv, du] · e_f(u + du, v + dv),  p = 1 / (1 + e^{−z}).
+/// That is a sum over filters of one small correlation each. The picture is cut into vertical
+/// strips and each row of a strip is filtered and correlated while it sits in the first-level
+/// cache.
+///
+/// Immutable after construction; Score may be called from many threads, each with a workspace of
+/// its own. Deterministic: same picture, same weights, same bits (see InstructionSet). Source:
+/// dissertation section 3.1.2, Eq. (3.2); rearranged as docs/methods/grasp_point_features.md.
+class PixelScorer {
+ public:
+  /// `weights`: spec.NumFeatures() numbers in the order of FeatureSpec. Throws std::logic_error on
+  /// a wrong count or an invalid spec. Allocates.
+  PixelScorer(FeatureSpec spec,
+              std::span<const float> weights,
+              double intercept,
+              InstructionSet instruction_set = SupportedInstructionSets().back());
+
+  [[nodiscard]] const FeatureSpec& spec() const noexcept { return spec_; }
+  [[nodiscard]] InstructionSet instruction_set() const noexcept { return instruction_set_; }
+
+  /// Bytes that Score needs for a picture of at most this size, for any pixel format.
+  [[nodiscard]] std::size_t WorkspaceBytes(int max_width, int max_height) const noexcept;
+
+  /// Writes the probability of every pixel: row v at probabilities + v · stride (in floats).
+  /// `workspace` is aligned to 64 bytes and at least WorkspaceBytes(width, height) long.
+  /// Preconditions (non-empty picture, colour if needed, sizes) are the caller's; nothing is
+  /// checked, allocated or thrown.
+  void Score(const RawImage& image,
+             std::span<std::byte> workspace,
+             float* probabilities,
+             std::ptrdiff_t stride) const noexcept;
+
+  /// As Score, but leaves the decision values z instead of the probabilities.
+  void ScoreDecisionValues(const RawImage& image,
+                           std::span<std::byte> workspace,
+                           float* decision_values,
+                           std::ptrdiff_t stride) const noexcept;
+
+ private:
+  void Run(const RawImage& image,
+           std::span<std::byte> workspace,
+           float* out,
+           std::ptrdiff_t stride,
+           bool as_probability) const noexcept;
+
+  FeatureSpec spec_;
+  InstructionSet instruction_set_;
+  std::vector<float> packed_weights_;
+  double intercept_;
+};
+
+}  // namespace handcraft::features

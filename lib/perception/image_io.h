@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <filesystem>
+
+#include "lib/core/image.h"
+#include "lib/features/colour.h"
+
+namespace handcraft::perception {
+
+enum class Channels {
+  kAsStored,  ///< 1 channel when the file is gray, else 3 (BGR)
+  kGray,      ///< 1 channel; a colour file is refused
+};
+
+/// Reads an 8-bit PNG, JPEG, BMP or PPM/PGM. JPEG rotation tags are applied; palettes become BGR;
+/// an alpha channel is dropped. 16-bit and floating-point files, empty and damaged ones are
+/// refused: throws Error with the path and what was found.
+[[nodiscard]] Image ReadImage(const std::filesystem::path& path,
+                              Channels channels = Channels::kAsStored);
+
+/// Writes a PNG (1 or 3 channels), replacing the file atomically. Throws Error. Same picture, same
+/// bytes.
+void WritePng(const std::filesystem::path& path, const Image& image);
+
+/// The picture as the feature code takes it; the image must outlive the view.
+[[nodiscard]] features::RawImage RawView(const Image& image);
+
+}  // namespace handcraft::perception

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Handcraft runtime: loads a model file and predicts on the robot.
+ *
+ * C interface, C standard library types only. No function throws, prints or aborts. Memory is
+ * allocated by hc_model_load_*, hc_workspace_create and nowhere else. A model is immutable: any
+ * number of threads may use one, each with a workspace of its own. The same inputs give the same
+ * bytes on every x86-64 processor with AVX2 and every arm64 one.
+ *
+ * The model file is specified in docs/model_format.md.
+ */
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define HC_API __attribute__((visibility("default")))
+
+/** What a call came to. Values are stable. */
+typedef enum hc_status {
+  HC_OK = 0,
+  HC_ERROR_ARGUMENT = 1,   /**< A null pointer, wrong size or out-of-range number. */
+  HC_ERROR_FILE = 2,       /**< The file cannot be opened or read. */
+  HC_ERROR_MEMORY = 3,     /**< Out of memory while loading. */
+  HC_ERROR_TRUNCATED = 4,  /**< The file ends too early, or is empty. */
+  HC_ERROR_FORMAT = 5,     /**< Not a model file, or its header breaks the format. */
+  HC_ERROR_CHECKSUM = 6,   /**< The CRC does not match: the file was damaged. */
+  HC_ERROR_VERSION = 7,    /**< The format is newer (or too old) for this library. */
+  HC_ERROR_KIND = 8,       /**< A valid model, of a kind this call cannot use. */
+  HC_ERROR_CONTENT = 9,    /**< A tensor is missing, has another shape, or a bad value. */
+  HC_ERROR_SELF_TEST = 10, /**< The stored self-test does not give the stored answer here. */
+  HC_ERROR_IMAGE = 11,     /**< The image cannot be scored (needs colour, empty, too large). */
+} hc_status;
+
+/** Where and why loading failed; text is always terminated. */
+typedef struct hc_error {
+  hc_status status;
+  uint64_t byte_offset; /**< Where in the file, or UINT64_MAX. */
+  char message[240];    /**< One sentence: what was found, what was expected, what to do. */
+} hc_error;
+
+typedef struct hc_model hc_model;
+typedef struct hc_workspace hc_workspace;
+
+/** Loads and verifies a model: checksum, format, contents, self-test. error may be null. */
+HC_API hc_status hc_model_load_file(const char* path, hc_model** model, hc_error* error);
+/** As hc_model_load_file, from memory, which may be freed afterwards. */
+HC_API hc_status hc_model_load_memory(const void* bytes,
+                                      size_t size,
+                                      hc_model** model,
+                                      hc_error* error);
+/** Frees a model; null is allowed. */
+HC_API void hc_model_free(hc_model* model);
+
+/** What a model is for. */
+typedef enum hc_kind {
+  HC_KIND_GRASP_POINT = 1, /**< Pixel scores of an image: hc_score_image. */
+  HC_KIND_LOGISTIC = 2,    /**< Probability of a row of numbers: hc_predict_row. */
+} hc_kind;
+
+HC_API hc_kind hc_model_kind(const hc_model* model);
+/** Value of a metadata key ("hc.name", …) or null; lives as long as the model. */
+HC_API const char* hc_model_metadata(const hc_model* model, const char* key);
+/** Numbers in a feature vector (grasp point) or in a row (logistic). */
+HC_API size_t hc_model_num_features(const hc_model* model);
+/** Whether a gray image is refused. */
+HC_API int hc_model_needs_colour(const hc_model* model);
+
+typedef enum hc_pixel_format { HC_GRAY8 = 0, HC_BGR8 = 1, HC_RGB8 = 2 } hc_pixel_format;
+
+/** An 8-bit image in the caller's memory: row v starts at data + v * stride_bytes. */
+typedef struct hc_image {
+  const uint8_t* data;
+  int32_t width;  /**< [px] */
+  int32_t height; /**< [px] */
+  int64_t stride_bytes;
+  hc_pixel_format format;
+} hc_image;
+
+/** Scratch memory for images up to max_width x max_height [px] (grasp-point models). */
+HC_API hc_status hc_workspace_create(const hc_model* model,
+                                     int32_t max_width,
+                                     int32_t max_height,
+                                     hc_workspace** workspace);
+HC_API void hc_workspace_free(hc_workspace* workspace);
+
+/**
+ * Probability that each pixel is a grasp point: row v at probabilities + v * stride (in floats).
+ * Does not allocate. HC_ERROR_KIND, HC_ERROR_ARGUMENT, HC_ERROR_IMAGE.
+ */
+HC_API hc_status hc_score_image(const hc_model* model,
+                                hc_workspace* workspace,
+                                const hc_image* image,
+                                float* probabilities,
+                                int64_t stride);
+
+typedef struct hc_point {
+  int32_t u; /**< column [px] */
+  int32_t v; /**< row [px] */
+  float probability;
+} hc_point;
+
+/**
+ * The best pixels of a probability map, best first (ties: smaller v, then smaller u): probability
+ * > min_probability, and more than suppression_radius_px apart in the maximum norm (0: no
+ * suppression). *count takes the capacity of points and returns the number found. Greedy; does not
+ * allocate; O(width * height + k log k) without, O(width * height * k) at worst with suppression.
+ */
+HC_API hc_status hc_top_k(const float* probabilities,
+                          int32_t width,
+                          int32_t height,
+                          int64_t stride,
+                          float min_probability,
+                          int32_t suppression_radius_px,
+                          hc_point* points,
+                          size_t* count);
+
+/** Probability of label 1 for one row of hc_model_num_features numbers (logistic models). */
+HC_API hc_status hc_predict_row(const hc_model* model,
+                                const double* row,
+                                size_t size,
+                                double* probability);
+
+/** One sentence for a status; never null. */
+HC_API const char* hc_status_message(hc_status status);
+/** "0.1.0" */
+HC_API const char* hc_version(void);
+
+#ifdef __cplusplus
+} /* extern "C" */
+#endif

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "lib/core/file.h"
+
+#include <sys/resource.h>
+
+#include <csignal>
+#include <iterator>
+
+#include "lib/core/error.h"
+#include "tests/support/expect_throws_message.h"
+#include "tests/support/temporary_directory.h"
+
+namespace handcraft {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::size_t NumEntries(const std::filesystem::path& folder) {
+  using Iterator = std::filesystem::directory_iterator;
+  return static_cast<std::size_t>(std::distance(Iterator(folder), Iterator()));
+}
+
+TEST(ReadFile, ReturnsWhatWasWritten) {
+  const testing::TemporaryDirectory folder;
+  for (const std::size_t size : {0U, 1U, 4095U, 4096U, 4097U, 1000000U}) {
+    std::vector<std::uint8_t> bytes(size);
+    for (std::size_t i = 0; i < size; ++i) bytes[i] = static_cast<std::uint8_t>(i * 31);
+    WriteFileAtomically(folder / "f", bytes);
+    EXPECT_EQ(ReadFile(folder / "f"), bytes);
+  }
+}
+
+TEST(ReadFile, NamesAMissingFile) {
+  EXPECT_THROWS_MESSAGE(
+      ReadFile("no/such"), Error, HasSubstr("no/such: cannot open: No such file"));
+}
+
+TEST(ReadFile, RefusesAFolder) {
+  const testing::TemporaryDirectory folder;
+  EXPECT_THROWS_MESSAGE(ReadFile(folder.path()), Error, HasSubstr("Is a directory"));
+}
+
+TEST(ReadFile, RefusesMoreThanAllowed) {
+  const testing::TemporaryDirectory folder;
+  WriteFileAtomically(folder / "f", "12345");
+  EXPECT_EQ(ReadFile(folder / "f", 5).size(), 5U);
+  EXPECT_THROWS_MESSAGE(ReadFile(folder / "f", 4), Error, HasSubstr("larger than the 4 bytes"));
+}
+
+TEST(WriteFileAtomically, ReplacesAFileAndLeavesNothingElse) {
+  const testing::TemporaryDirectory folder;
+  WriteFileAtomically(folder / "f", "old");
+  WriteFileAtomically(folder / "f", "new");
+  EXPECT_EQ(ReadTextFile(folder / "f"), "new");
+  EXPECT_EQ(NumEntries(folder.path()), 1U);
+}
+
+TEST(WriteFileAtomically, NeedsTheFolder) {
+  const testing::TemporaryDirectory folder;
+  EXPECT_THROWS_MESSAGE(
+      WriteFileAtomically(folder / "no/f", "x"), Error, HasSubstr("cannot create the file"));
+}
+
+// A limit on file size fails the write in mid-file, as a full disk does.
+TEST(WriteFileAtomically, KeepsTheOldFileWhenTheDiskIsFull) {
+  const testing::TemporaryDirectory folder;
+  WriteFileAtomically(folder / "f", "old");
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  rlimit small = before;
+  small.rlim_cur = 1000;
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  EXPECT_THROWS_MESSAGE(WriteFileAtomically(folder / "f", std::string(5000, 'x')),
+                        Error,
+                        HasSubstr("cannot write: File too large"));
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  EXPECT_EQ(ReadTextFile(folder / "f"), "old");
+  EXPECT_EQ(NumEntries(folder.path()), 1U);
+}
+
+TEST(WriteFileAtomically, ReportsADeviceWithoutSpace) {
+  EXPECT_THROWS_MESSAGE(
+      WriteFileAtomically("/dev/null/f", "x"), Error, HasSubstr("Not a directory"));
+}
+
+}  // namespace
+}  // namespace handcraft
