@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "lib/perception/image_io.h"
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include <opencv2/core.hpp>
+#include <opencv2/core/utils/logger.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "lib/core/check.h"
+#include "lib/core/error.h"
+#include "lib/core/file.h"
+#include "lib/perception/image_header.h"
+
+namespace handcraft::perception {
+namespace {
+
+// OpenCV tells its troubles on stderr; what people are to read is our Error alone.
+void SilenceOpenCv() {
+  static const auto kPrevious =
+      cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  static_cast<void>(kPrevious);
+}
+
+cv::Mat Decode(const std::filesystem::path& path,
+               const std::vector<std::uint8_t>& bytes,
+               const ImageHeader& header) {
+  SilenceOpenCv();
+  cv::Mat pixels;
+  try {
+    pixels = cv::imdecode(bytes, header.gray ? cv::IMREAD_GRAYSCALE : cv::IMREAD_ANYCOLOR);
+  } catch (const cv::Exception& exception) {
+    throw Error({.path = path.string(), .reason = "cannot be decoded: " + exception.err});
+  }
+  if (pixels.empty()) {
+    throw Error({.path = path.string(),
+                 .reason = "a damaged " + std::string(header.format) + " that cannot be decoded",
+                 .remedy = "copy it again from its source"});
+  }
+  HC_CHECK(pixels.depth() == CV_8U && (pixels.channels() == 1 || pixels.channels() == 3),
+           pixels.type());
+  return pixels;
+}
+
+Image ToImage(const cv::Mat& pixels) {
+  Image image(pixels.cols, pixels.rows, pixels.channels());
+  const std::size_t row_bytes = static_cast<std::size_t>(pixels.cols) * pixels.elemSize();
+  for (int v = 0; v < pixels.rows; ++v) std::memcpy(image.Row(v), pixels.ptr(v), row_bytes);
+  return image;
+}
+
+}  // namespace
+
+Image ReadImage(const std::filesystem::path& path, Channels channels) {
+  const std::vector<std::uint8_t> bytes = ReadFile(path);
+  const cv::Mat pixels = Decode(path, bytes, ReadImageHeader(path, bytes));
+  if (channels == Channels::kGray && pixels.channels() != 1) {
+    throw Error({.path = path.string(),
+                 .reason = "a colour picture where a gray one is due",
+                 .remedy = "save it with one channel"});
+  }
+  return ToImage(pixels);
+}
+
+void WritePng(const std::filesystem::path& path, const Image& image) {
+  HC_CHECK(!image.empty() && (image.channels() == 1 || image.channels() == 3),
+           image.width(),
+           image.height(),
+           image.channels());
+  SilenceOpenCv();
+  // OpenCV takes no pointer to const, but only reads.
+  const cv::Mat pixels(image.height(),
+                       image.width(),
+                       CV_MAKETYPE(CV_8U, image.channels()),
+                       const_cast<std::uint8_t*>(image.Row(0)));
+  std::vector<std::uint8_t> bytes;
+  try {
+    cv::imencode(".png", pixels, bytes, {cv::IMWRITE_PNG_COMPRESSION, 6});
+  } catch (const cv::Exception& exception) {
+    throw Error({.path = path.string(), .reason = "cannot be encoded: " + exception.err});
+  }
+  WriteFileAtomically(path, bytes);
+}
+
+features::RawImage RawView(const Image& image) {
+  HC_CHECK(image.channels() == 1 || image.channels() == 3, image.channels());
+  return {.data = image.values().data(),
+          .width = image.width(),
+          .height = image.height(),
+          .stride_bytes = image.View().stride,
+          .format =
+              image.channels() == 1 ? features::PixelFormat::kGray8 : features::PixelFormat::kBgr8};
+}
+
+}  // namespace handcraft::perception

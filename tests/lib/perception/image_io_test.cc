@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "lib/perception/image_io.h"
+
+#include <string>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "lib/core/error.h"
+#include "lib/core/file.h"
+#include "lib/core/rng.h"
+#include "tests/lib/perception/png_builder.h"
+#include "tests/support/expect_throws_message.h"
+#include "tests/support/temporary_directory.h"
+
+namespace handcraft::perception {
+namespace {
+
+using testing::ByteVector;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::PngBuilder;
+
+Image RandomImage(int width, int height, int channels, std::uint64_t seed) {
+  Image image(width, height, channels);
+  Rng rng(seed);
+  for (int v = 0; v < height; ++v) {
+    for (int i = 0; i < width * channels; ++i) {
+      image.Row(v)[i] = static_cast<std::uint8_t>(rng.UniformInt(256));
+    }
+  }
+  return image;
+}
+
+Image ReadBytes(const ByteVector& bytes, Channels channels = Channels::kAsStored) {
+  const testing::TemporaryDirectory folder;
+  WriteFileAtomically(folder / "picture", bytes);
+  return ReadImage(folder / "picture", channels);
+}
+
+TEST(ReadImage, KeepsTheOrderBlueGreenRed) {
+  // Colour type 2: red, green, blue.
+  const Image image = ReadBytes(PngBuilder(2, 1, 8, 2).Pixels({0, 1, 2, 3, 4, 5, 6}).End());
+  EXPECT_EQ(image.channels(), 3);
+  EXPECT_THAT(image.values(), ElementsAre(3, 2, 1, 6, 5, 4));
+}
+
+TEST(ReadImage, TurnsAPaletteIntoColours) {
+  const Image image = ReadBytes(
+      PngBuilder(2, 1, 8, 3).Chunk("PLTE", {10, 20, 30, 40, 50, 60}).Pixels({0, 1, 0}).End());
+  EXPECT_EQ(image.channels(), 3);
+  EXPECT_THAT(image.values(), ElementsAre(60, 50, 40, 30, 20, 10));
+}
+
+TEST(ReadImage, DropsAlpha) {
+  const Image colour = ReadBytes(PngBuilder(1, 1, 8, 6).Pixels({0, 1, 2, 3, 77}).End());
+  EXPECT_THAT(colour.values(), ElementsAre(3, 2, 1));
+  const Image gray = ReadBytes(PngBuilder(2, 1, 8, 4).Pixels({0, 9, 255, 8, 0}).End());
+  EXPECT_EQ(gray.channels(), 1);
+  EXPECT_THAT(gray.values(), ElementsAre(9, 8));
+}
+
+TEST(ReadImage, SpreadsFewBitsOverTheRange) {
+  const Image image = ReadBytes(PngBuilder(4, 1, 1, 0).Pixels({0, 0b10100000}).End());
+  EXPECT_THAT(image.values(), ElementsAre(255, 0, 255, 0));
+}
+
+// An Exif segment with orientation 6 (turn by 90° clockwise) behind the start of the image.
+TEST(ReadImage, AppliesTheRotationTag) {
+  cv::Mat pixels(16, 32, CV_8UC1, cv::Scalar(0));
+  pixels.colRange(0, 16).setTo(255);  // left half bright: turned, the upper half
+  ByteVector bytes;
+  cv::imencode(".jpg", pixels, bytes);
+  const ByteVector exif = {0xFF, 0xE1, 0x00, 0x22, 'E', 'x', 'i', 'f', 0, 0,    'M', 'M',
+                           0,    42,   0,    0,    0,   8,   0,   1,   1, 0x12, 0,   3,
+                           0,    0,    0,    1,    0,   6,   0,   0,   0, 0,    0,   0};
+  bytes.insert(bytes.begin() + 2, exif.begin(), exif.end());
+  const Image image = ReadBytes(bytes);
+  ASSERT_EQ(image.width(), 16);
+  ASSERT_EQ(image.height(), 32);
+  EXPECT_GT(image.At(8, 4), 240);
+  EXPECT_LT(image.At(8, 28), 15);
+}
+
+TEST(ReadImage, ReadsWhatWasWritten) {
+  const testing::TemporaryDirectory folder;
+  const std::filesystem::path path = folder / "Käfer & \"Co\" 象.png";
+  int seed = 1;
+  for (const auto& [width, height] : {std::pair{1, 1}, {4, 4}, {10000, 3}, {3, 1000}, {64, 48}}) {
+    for (const int channels : {1, 3}) {
+      const Image image = RandomImage(width, height, channels, static_cast<std::uint64_t>(++seed));
+      WritePng(path, image);
+      const Image read = ReadImage(path);
+      EXPECT_EQ(read.width(), width);
+      EXPECT_EQ(read.channels(), channels);
+      EXPECT_EQ(read.values(), image.values());
+    }
+  }
+}
+
+TEST(ReadImage, RefusesColourWhereGrayIsDue) {
+  EXPECT_THROWS_MESSAGE(
+      ReadBytes(PngBuilder(1, 1, 8, 2).Pixels({0, 1, 2, 3}).End(), Channels::kGray),
+      Error,
+      HasSubstr("picture: a colour picture where a gray one is due"));
+}
+
+TEST(ReadImage, NamesTheFileAtFault) {
+  EXPECT_THROWS_MESSAGE(ReadImage("no/such.png"), Error, HasSubstr("no/such.png: cannot open"));
+  EXPECT_THROWS_MESSAGE(
+      ReadBytes(PngBuilder(1, 1, 16, 0).Pixels({0, 1, 2}).End()), Error, HasSubstr("16 bits"));
+  // Sound chunks round a picture that is not: the decoder is the one to notice.
+  EXPECT_THROWS_MESSAGE(ReadBytes(PngBuilder(5, 5, 8, 0).Chunk("IDAT", {1, 2, 3}).End()),
+                        Error,
+                        HasSubstr("a damaged PNG that cannot be decoded"));
+  EXPECT_THROWS_MESSAGE(ReadBytes(PngBuilder(5, 5, 8, 0).End()), Error, HasSubstr("no pixels"));
+}
+
+// Law: a damaged file is an Error or a picture, never another exception.
+TEST(ReadImage, SurvivesFlippedBits) {
+  const testing::TemporaryDirectory folder;
+  const Image image = RandomImage(24, 16, 3, 7);
+  const cv::Mat pixels(16, 24, CV_8UC3, const_cast<std::uint8_t*>(image.Row(0)));
+  for (const char* extension : {".bmp", ".ppm"}) {  // headers of up to 54 bytes
+    ByteVector whole;
+    cv::imencode(extension, pixels, whole);
+    for (std::size_t bit = 0; bit < 432; ++bit) {
+      ByteVector flipped = whole;
+      flipped[bit / 8] ^= static_cast<std::uint8_t>(1U << (bit % 8));
+      try {
+        static_cast<void>(ReadBytes(flipped));
+      } catch (const Error&) {
+      }
+    }
+  }
+  SUCCEED();
+}
+
+TEST(WritePng, WritesTheSameBytesTwice) {
+  const testing::TemporaryDirectory folder;
+  const Image image = RandomImage(50, 40, 3, 3);
+  WritePng(folder / "a.png", image);
+  WritePng(folder / "b.png", image);
+  EXPECT_EQ(ReadFile(folder / "a.png"), ReadFile(folder / "b.png"));
+}
+
+TEST(WritePng, RefusesWhatIsNoPicture) {
+  EXPECT_THROW(WritePng("x.png", Image()), std::logic_error);
+  EXPECT_THROW(WritePng("x.png", Image(2, 2, 2)), std::logic_error);
+  EXPECT_THROWS_MESSAGE(WritePng("no/x.png", Image(1, 1)), Error, HasSubstr("no/x.png"));
+}
+
+TEST(RawView, SeesTheSamePixels) {
+  const Image gray = RandomImage(5, 4, 1, 1);
+  EXPECT_EQ(RawView(gray).format, features::PixelFormat::kGray8);
+  EXPECT_EQ(RawView(gray).stride_bytes, 5);
+  const Image colour = RandomImage(5, 4, 3, 1);
+  const features::RawImage view = RawView(colour);
+  EXPECT_EQ(view.format, features::PixelFormat::kBgr8);
+  EXPECT_EQ(view.width, 5);
+  EXPECT_EQ(view.height, 4);
+  EXPECT_EQ(view.data[3 * view.stride_bytes + 14], colour.At(4, 3, 2));
+}
+
+}  // namespace
+}  // namespace handcraft::perception

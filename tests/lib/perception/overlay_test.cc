@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "lib/perception/overlay.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "tests/support/expect_throws_message.h"
+
+namespace handcraft::perception {
+namespace {
+
+std::vector<int> Pixel(const Image& image, int u, int v) {
+  return {image.At(u, v, 0), image.At(u, v, 1), image.At(u, v, 2)};
+}
+
+TEST(DrawGraspPoints, BlendsWarmOverTheProbable) {
+  const Image gray(3, 1, 1, 100);
+  FloatImage probabilities(3, 1);
+  probabilities.At(1, 0) = 0.5F;
+  probabilities.At(2, 0) = 1.0F;
+  const Image drawn = DrawGraspPoints(gray, probabilities, {});
+  EXPECT_EQ(drawn.channels(), 3);
+  EXPECT_EQ(Pixel(drawn, 0, 0), (std::vector{100, 100, 100}));
+  EXPECT_EQ(Pixel(drawn, 1, 0), (std::vector{70, 100, 147}));  // 30 % of (0, 100, 255)
+  EXPECT_EQ(Pixel(drawn, 2, 0), (std::vector{40, 40, 193}));   // 60 % of (0, 0, 255)
+}
+
+TEST(DrawGraspPoints, TakesProbabilitiesOutOfRangeAndNotANumber) {
+  const Image picture(3, 1, 3, 100);
+  FloatImage probabilities(3, 1);
+  probabilities.At(0, 0) = -5.0F;
+  probabilities.At(1, 0) = 7.0F;
+  probabilities.At(2, 0) = std::numeric_limits<float>::quiet_NaN();
+  const Image drawn = DrawGraspPoints(picture, probabilities, {});
+  EXPECT_EQ(Pixel(drawn, 0, 0), (std::vector{100, 100, 100}));
+  EXPECT_EQ(Pixel(drawn, 1, 0), (std::vector{40, 40, 193}));
+  EXPECT_EQ(Pixel(drawn, 2, 0), (std::vector{100, 100, 100}));
+}
+
+TEST(DrawGraspPoints, LeavesThePictureWithoutMapAndPoints) {
+  const Image picture(4, 3, 3, 9);
+  EXPECT_EQ(DrawGraspPoints(picture, {}, {}).values(), picture.values());
+  EXPECT_TRUE(DrawGraspPoints({}, {}, {}).empty());
+}
+
+TEST(DrawGraspPoints, MarksOnlyTheNeighbourhoodOfAPoint) {
+  const Image picture(100, 100, 1, 50);
+  const std::vector<MarkedPoint> points = {{30, 40, 0.9F}};
+  const Image drawn = DrawGraspPoints(picture, {}, points);
+  EXPECT_NE(Pixel(drawn, 25, 40), (std::vector{50, 50, 50})) << "the circle, radius 5";
+  EXPECT_EQ(Pixel(drawn, 30, 40), (std::vector{50, 50, 50})) << "its middle stays visible";
+  EXPECT_EQ(Pixel(drawn, 80, 80), (std::vector{50, 50, 50}));
+}
+
+TEST(DrawGraspPoints, DrawsAtCornersOutsideAndOnTinyPictures) {
+  const std::vector<MarkedPoint> points = {{0, 0, 1.0F}, {99, 0, 1.0F}, {-500, 1 << 20, 1.0F}};
+  EXPECT_EQ(DrawGraspPoints(Image(100, 20, 3), {}, points).width(), 100);
+  EXPECT_EQ(DrawGraspPoints(Image(1, 1, 1), {}, points).width(), 1);
+}
+
+TEST(DrawGraspPoints, WritesTheRankOfAPointAtTheRightEdgeInside) {
+  const std::vector<MarkedPoint> points = {{99, 50, 1.0F}};
+  const Image drawn = DrawGraspPoints(Image(100, 100, 1, 0), {}, points);
+  int bright = 0;
+  for (int v = 35; v < 45; ++v) {
+    for (int u = 85; u < 100; ++u) bright += drawn.At(u, v, 1) > 60 ? 1 : 0;
+  }
+  EXPECT_GT(bright, 3);
+}
+
+TEST(DrawGraspPoints, RefusesAMapOfAnotherSize) {
+  EXPECT_THROWS_MESSAGE(DrawGraspPoints(Image(4, 3), FloatImage(3, 4), {}),
+                        std::logic_error,
+                        ::testing::HasSubstr("3, 4, 4, 3"));
+}
+
+TEST(DrawLabelMask, ColoursGoodAndDontCare) {
+  const Image gray(3, 1, 1, 100);
+  Image mask(3, 1, 1, 0);
+  mask.At(1, 0) = 128;
+  mask.At(2, 0) = 255;
+  const Image drawn = DrawLabelMask(gray, mask);
+  EXPECT_EQ(Pixel(drawn, 0, 0), (std::vector{100, 100, 100}));
+  EXPECT_EQ(Pixel(drawn, 1, 0), (std::vector{147, 94, 70}));
+  EXPECT_EQ(Pixel(drawn, 2, 0), (std::vector{40, 178, 40}));
+}
+
+TEST(DrawLabelMask, RefusesAMaskOfAnotherSize) {
+  EXPECT_THROWS_MESSAGE(
+      DrawLabelMask(Image(4, 3), Image(3, 3)), std::logic_error, ::testing::HasSubstr("3, 3, 4"));
+}
+
+}  // namespace
+}  // namespace handcraft::perception
