@@ -3,7 +3,7 @@
 # Makes the static library handcraft_NAME, alias handcraft::NAME, one per folder, and refuses a
 # link that the table below does not allow. Data flows one way:
 #   datasets -> features -> trainers -> models -> runtime -> experiments
-# The same table is checked against the #include lines by tests/integration/link_rules_test.cmake.
+# The same table is checked against the #include lines by tests/integration/link_rules.
 
 set(HANDCRAFT_MAY_LINK_core "")
 set(HANDCRAFT_MAY_LINK_features core)
@@ -37,6 +37,10 @@ endfunction()
 
 function(handcraft_check_links name own third)
   handcraft_layer_of(${name} layer)
+  if(NOT DEFINED HANDCRAFT_MAY_LINK_${layer})
+    message(FATAL_ERROR "${name} has no row in the link table "
+                        "(lib/cmake/handcraft_add_library.cmake)")
+  endif()
   foreach(dependency IN LISTS own)
     handcraft_layer_of(${dependency} dependency_layer)
     if(NOT dependency_layer IN_LIST HANDCRAFT_MAY_LINK_${layer})
