@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace handcraft::experiments {
+
+/// The samples whose probability lies in [low, high) (the last bin takes 1 as well).
+struct ProbabilityBin {
+  double low = 0.0;
+  double high = 0.0;
+  std::size_t num_good = 0;
+  std::size_t num_bad = 0;
+  double mean_probability = 0.0;  ///< NaN when the bin is empty
+
+  [[nodiscard]] std::size_t Total() const noexcept { return num_good + num_bad; }
+};
+
+/// Counts samples in num_bins ≥ 1 bins of equal width over [0, 1]: the score histogram, and the
+/// reliability diagram (share of good samples against mean probability; DeGroot and Fienberg 1983).
+/// Throws std::logic_error on lengths that differ, labels other than 0/1, or probabilities outside
+/// [0, 1].
+[[nodiscard]] std::vector<ProbabilityBin> BinProbabilities(std::span<const float> probabilities,
+                                                           std::span<const std::uint8_t> labels,
+                                                           std::size_t num_bins);
+
+}  // namespace handcraft::experiments
