@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -27,7 +28,8 @@ struct LabelledImage {
   std::string licence;
 };
 
-/// A folder with `manifest.csv` (header image,mask,class,instance,split,licence).
+/// A folder with `manifest.csv` (header image,mask,class,instance,split,licence; any order, other
+/// columns are ignored). The format is specified in docs/datasets.md.
 struct LabelledImageSet {
   std::filesystem::path root;
   std::vector<LabelledImage> items;
@@ -51,11 +53,16 @@ struct LabelledPicture {
 };
 [[nodiscard]] LabelledPicture ReadLabelledPicture(const LabelledImageSet& set, std::size_t index);
 
+/// The mask alone, its values checked.
+[[nodiscard]] Image ReadMask(const LabelledImageSet& set, std::size_t index);
+
 /// SHA-256 over sorted (path, SHA-256 of image, SHA-256 of mask, class, instance, split): same
 /// data, same text, wherever the folder lies.
 [[nodiscard]] std::string Fingerprint(const LabelledImageSet& set);
 
-/// What `handcraft data check` prints: each fault with its file, nothing when all is well.
+/// What `handcraft data check` prints: each fault with its file (relative to the folder), nothing
+/// when all is well. Pictures that cannot be read, masks that do not fit, hold other values or lack
+/// good or bad pixels (legal, but nothing is drawn from them), and pictures that are there twice.
 struct Fault {
   std::string path;
   std::string reason;

@@ -21,8 +21,7 @@ using ::testing::HasSubstr;
 using testing::PngBuilder;
 
 ByteVector Encoded(const std::string& extension, int type) {
-  cv::Mat pixels(5, 7, type);
-  cv::randu(pixels, cv::Scalar::all(0), cv::Scalar::all(256));
+  const cv::Mat pixels(5, 7, type, cv::Scalar(10, 120, 200, 255));
   ByteVector bytes;
   cv::imencode(extension, pixels, bytes);
   return bytes;

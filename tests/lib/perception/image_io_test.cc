@@ -3,6 +3,8 @@
 
 #include "lib/perception/image_io.h"
 
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include <opencv2/core.hpp>
@@ -36,7 +38,8 @@ Image RandomImage(int width, int height, int channels, std::uint64_t seed) {
 
 Image ReadBytes(const ByteVector& bytes, Channels channels = Channels::kAsStored) {
   const testing::TemporaryDirectory folder;
-  WriteFileAtomically(folder / "picture", bytes);
+  std::ofstream(folder / "picture", std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
   return ReadImage(folder / "picture", channels);
 }
 
