@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "datasets/formats/npy.h"
+
 namespace handcraft::datasets {
 
 /// A table of numbers with named columns and one label a row.
@@ -34,15 +36,5 @@ struct BinaryLabels {
   std::vector<std::uint8_t> values;  ///< 1 where positive
 };
 [[nodiscard]] BinaryLabels ToBinaryLabels(const Table& table, const std::filesystem::path& path);
-
-/// Writes a row-major matrix as NPY version 1.0 (little-endian), atomically.
-void WriteNpy(const std::filesystem::path& path,
-              const float* values,
-              std::size_t rows,
-              std::size_t columns);
-void WriteNpy(const std::filesystem::path& path,
-              const double* values,
-              std::size_t rows,
-              std::size_t columns);
 
 }  // namespace handcraft::datasets
