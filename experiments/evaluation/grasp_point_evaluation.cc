@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/evaluation/grasp_point_evaluation.h"
+
+#include <atomic>
+#include <thread>
+
+#include "experiments/evaluation/evaluation_pixels.h"
+#include "experiments/evaluation/grasp_point_figures.h"
+#include "experiments/evaluation/runtime_scoring.h"
+#include "lib/core/error.h"
+#include "lib/core/fields.h"
+#include "lib/core/parallel.h"
+
+namespace handcraft::experiments {
+namespace {
+
+template <class T>
+void Require(bool holds, const char* field, T value, const char* rule) {
+  if (holds) return;
+  throw Error({.kind = Error::Kind::kUsage,
+               .reason = std::string("EvaluationOptions.") + field + " is " + NumberToText(value) +
+                         ", but must be " + rule});
+}
+
+ImageScore ScoreItem(const hc_model* model,
+                     const datasets::LabelledImageSet& set,
+                     std::size_t item,
+                     const EvaluationOptions& options) {
+  const datasets::LabelledPicture picture = datasets::ReadLabelledPicture(set, item);
+  const std::string& name = set.items[item].image;
+  const RuntimeScores scores = ScoreWithRuntime(model, picture.image, (set.root / name).string());
+  ImageScore score;
+  score.item = item;
+  score.score_ms = scores.score_ms;
+  for (const hc_point& point : FindBestPixels(scores.probabilities,
+                                              options.best_pixels,
+                                              options.best_min_probability,
+                                              options.suppression_radius_px)) {
+    score.best.push_back({point.u, point.v, point.probability, picture.mask.At(point.u, point.v)});
+  }
+  for (const EvaluationPixel& pixel :
+       DrawEvaluationPixels(picture.mask, options.pixels_per_image, options.seed, name)) {
+    score.probabilities.push_back(scores.probabilities.values()[pixel.index]);
+    score.labels.push_back(pixel.label);
+  }
+  return score;
+}
+
+}  // namespace
+
+void EvaluationOptions::Validate() const {
+  Require(threshold > 0.0 && threshold < 1.0, "threshold", threshold, "in (0, 1)");
+  Require(best_pixels >= 1, "best_pixels", best_pixels, "at least 1");
+  Require(best_min_probability >= 0.0 && best_min_probability < 1.0,
+          "best_min_probability",
+          best_min_probability,
+          "in [0, 1)");
+  Require(suppression_radius_px >= 0, "suppression_radius_px", suppression_radius_px, "at least 0");
+  Require(pixels_per_image >= 2, "pixels_per_image", pixels_per_image, "at least 2");
+  Require(bootstrap_resamples >= 1, "bootstrap_resamples", bootstrap_resamples, "at least 1");
+  Require(num_threads >= 1, "num_threads", num_threads, "at least 1");
+}
+
+GraspPointEvaluation EvaluateGraspPoints(const hc_model* model,
+                                         const datasets::LabelledImageSet& set,
+                                         const EvaluationOptions& options) {
+  options.Validate();
+  HC_CHECK(model != nullptr);
+  if (hc_model_kind(model) != HC_KIND_GRASP_POINT) {
+    throw Error({.kind = Error::Kind::kUsage,
+                 .reason = "the model does not score images: it is no grasp-point model",
+                 .remedy = "evaluate it on a table (.csv or .npy)"});
+  }
+  if (set.items.empty()) {
+    throw Error({.kind = Error::Kind::kBadInput,
+                 .path = set.root.string(),
+                 .reason = "the data set has no images to evaluate"});
+  }
+  GraspPointEvaluation evaluation;
+  evaluation.options = options;
+  evaluation.data_fingerprint = datasets::Fingerprint(set);
+  evaluation.images.resize(set.items.size());
+  std::atomic<std::size_t> num_done{0};
+  const std::thread::id caller = std::this_thread::get_id();
+  ParallelFor(set.items.size(), options.num_threads, [&](std::size_t item) {
+    evaluation.images[item] = ScoreItem(model, set, item, options);
+    const std::size_t done = ++num_done;
+    // Progress is promised to come from the caller's thread, which is one of the workers.
+    if (std::this_thread::get_id() == caller) {
+      Report(options.progress, "evaluate", done, set.items.size());
+    }
+  });
+  Report(options.progress, "evaluate", set.items.size(), set.items.size());
+  FormFigures(set, evaluation);
+  return evaluation;
+}
+
+}  // namespace handcraft::experiments

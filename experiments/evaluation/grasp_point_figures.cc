@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/evaluation/grasp_point_figures.h"
+
+#include <limits>
+#include <map>
+
+#include "experiments/metrics/grouped_auc.h"
+
+namespace handcraft::experiments {
+namespace {
+
+constexpr std::size_t kMaxRocPoints = 201;
+
+// Right out of all, for one image or many.
+struct Share {
+  std::size_t right = 0;
+  std::size_t total = 0;
+};
+
+Estimate BootstrapShare(const std::vector<Share>& shares, const EvaluationOptions& options) {
+  const auto share_of_groups = [&](std::span<const std::size_t> groups) {
+    std::size_t right = 0;
+    std::size_t total = 0;
+    for (const std::size_t group : groups) {
+      right += shares[group].right;
+      total += shares[group].total;
+    }
+    return total == 0 ? std::numeric_limits<double>::quiet_NaN()
+                      : static_cast<double>(right) / static_cast<double>(total);
+  };
+  return BootstrapOverGroups(shares.size(),
+                             share_of_groups,
+                             options.bootstrap_resamples,
+                             options.seed,
+                             options.num_threads);
+}
+
+// Accuracy on the drawn pixels, AUC, log-loss and Brier score.
+void AddPixelFigures(std::span<const ImageScore* const> images,
+                     const EvaluationOptions& options,
+                     GroupFigures& figures) {
+  std::vector<double> probabilities;
+  std::vector<std::uint8_t> labels;
+  std::vector<std::size_t> groups;
+  std::vector<Share> shares;
+  for (std::size_t k = 0; k < images.size(); ++k) {
+    const ImageScore& image = *images[k];
+    const ConfusionMatrix matrix =
+        CountConfusion(image.probabilities, image.labels, options.threshold);
+    figures.confusion += matrix;
+    shares.push_back({matrix.true_positive + matrix.true_negative, matrix.Total()});
+    probabilities.insert(
+        probabilities.end(), image.probabilities.begin(), image.probabilities.end());
+    labels.insert(labels.end(), image.labels.begin(), image.labels.end());
+    groups.insert(groups.end(), image.labels.size(), k);
+  }
+  figures.accuracy = BootstrapShare(shares, options);
+  const GroupedAuc auc(probabilities, labels, groups, images.size());
+  figures.auc = BootstrapOverGroups(
+      images.size(),
+      [&](std::span<const std::size_t> drawn) { return auc.OfResample(drawn); },
+      options.bootstrap_resamples,
+      options.seed,
+      options.num_threads);
+  figures.log_loss = LogLoss(probabilities, labels);
+  figures.brier = BrierScore(probabilities, labels);
+}
+
+}  // namespace
+
+BestPixelCounts CountBestPixels(const ImageScore& image) {
+  BestPixelCounts counts;
+  for (const BestPixel& pixel : image.best) {
+    if (pixel.mask_value == datasets::kMaskGood) {
+      ++counts.good;
+    } else if (pixel.mask_value == datasets::kMaskBad) {
+      ++counts.bad;
+    } else {
+      ++counts.dont_care;
+    }
+  }
+  return counts;
+}
+
+GroupFigures ComputeGroupFigures(const std::string& name,
+                                 std::span<const ImageScore* const> images,
+                                 const EvaluationOptions& options) {
+  GroupFigures figures;
+  figures.name = name;
+  figures.num_images = images.size();
+  std::vector<Share> best_shares;
+  for (const ImageScore* image : images) {
+    const BestPixelCounts counts = CountBestPixels(*image);
+    figures.num_images_without_best += image->best.empty() ? 1 : 0;
+    figures.best_good += counts.good;
+    figures.best_total += counts.good + counts.bad;
+    figures.best_dont_care += counts.dont_care;
+    best_shares.push_back({counts.good, counts.good + counts.bad});
+  }
+  figures.best_pixel_accuracy = BootstrapShare(best_shares, options);
+  AddPixelFigures(images, options, figures);
+  return figures;
+}
+
+PooledPixels PoolPixels(std::span<const ImageScore> images) {
+  PooledPixels pooled;
+  for (const ImageScore& image : images) {
+    pooled.probabilities.insert(
+        pooled.probabilities.end(), image.probabilities.begin(), image.probabilities.end());
+    pooled.labels.insert(pooled.labels.end(), image.labels.begin(), image.labels.end());
+  }
+  return pooled;
+}
+
+void FormFigures(const datasets::LabelledImageSet& set, GraspPointEvaluation& evaluation) {
+  std::vector<const ImageScore*> all;
+  std::map<std::string, std::vector<const ImageScore*>> by_class;
+  for (const ImageScore& image : evaluation.images) {
+    all.push_back(&image);
+    by_class[set.items.at(image.item).object_class].push_back(&image);
+  }
+  evaluation.all = ComputeGroupFigures("all", all, evaluation.options);
+  evaluation.classes.clear();
+  for (const auto& [name, images] : by_class) {
+    evaluation.classes.push_back(ComputeGroupFigures(name, images, evaluation.options));
+  }
+  const PooledPixels pooled = PoolPixels(evaluation.images);
+  evaluation.roc = RocCurve(pooled.probabilities, pooled.labels, kMaxRocPoints);
+}
+
+}  // namespace handcraft::experiments

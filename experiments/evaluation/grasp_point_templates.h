@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string_view>
+
+namespace handcraft::experiments {
+
+/// The parts of the grasp-point report, with {named} places as fmt::format fills them. What is
+/// filled in is escaped by the caller.
+
+inline constexpr std::string_view kHeaderTemplate = R"html(<header>
+<p class="kicker">Handcraft · grasp-point evaluation</p>
+<h1>{model}</h1>
+<p class="lead">Judged on {images} of <em>{data}</em>, every pixel scored by the runtime. {verdict}</p>
+</header>
+)html";
+
+inline constexpr std::string_view kTileTemplate =
+    R"html(<div class="tile"><span class="name">{name}</span><span class="value">{value}</span><span class="range">{range}</span></div>
+)html";
+
+inline constexpr std::string_view kFiguresTemplate = R"html(<h2>By class</h2>
+<p class="note">Brackets hold 95 % intervals, from resampling whole images. Don’t-care pixels are shown and not counted.</p>
+<div class="scroll"><table>
+<thead><tr><th>Class</th><th class="number">Images</th><th class="number">Without<br>best pixel</th><th class="number">Best pixels<br>good / counted</th><th class="number">Don’t<br>care</th><th class="number">Best-pixel<br>accuracy</th><th class="number">Pixel<br>accuracy</th><th class="number">ROC area</th><th class="number">Log-loss</th><th class="number">Brier</th></tr></thead>
+<tbody>
+{rows}</tbody></table></div>
+)html";
+
+inline constexpr std::string_view kFiguresRowTemplate =
+    R"html(<tr{row_class}><th scope="row">{name}</th><td class="number">{images}</td><td class="number">{silent}</td><td class="number">{good} / {counted}</td><td class="number">{dont_care}</td><td class="number">{best}<span class="range">{best_range}</span></td><td class="number">{accuracy}<span class="range">{accuracy_range}</span></td><td class="number">{auc}<span class="range">{auc_range}</span></td><td class="number">{log_loss}</td><td class="number">{brier}</td></tr>
+)html";
+
+inline constexpr std::string_view kConfusionTemplate = R"html(<table class="confusion">
+<thead><tr><th></th><th scope="col">called good<br>(above {threshold})</th><th scope="col">called bad</th></tr></thead>
+<tbody>
+<tr><th class="side" scope="row">labelled good</th>{true_positive}{false_negative}</tr>
+<tr><th class="side" scope="row">labelled bad</th>{false_positive}{true_negative}</tr>
+</tbody></table>
+)html";
+
+inline constexpr std::string_view kPlotsTemplate = R"html(<h2>Pixel by pixel</h2>
+<p class="note">{pixels} labelled pixels, as many good as bad in each image that has both.</p>
+<div class="plots">
+<figure class="card"><h3>Confusion matrix</h3>
+{confusion}<figcaption>Counts, and their share of the row.</figcaption></figure>
+<figure class="card"><h3>ROC curve, area {auc}</h3>
+{roc}<figcaption>The dashed line is guessing.</figcaption></figure>
+<figure class="card"><h3>Reliability, Brier score {brier}</h3>
+{reliability}<figcaption>On the dashed line a probability means what it says, were good and bad pixels equally common.</figcaption></figure>
+<figure class="card"><h3>Probabilities of good and bad pixels</h3>
+{histogram}<figcaption><span class="key first"></span>labelled good&ensp; <span class="key second"></span>labelled bad</figcaption></figure>
+</div>
+)html";
+
+inline constexpr std::string_view kGalleryTemplate = R"html(<h2>Image by image</h2>
+<p class="note">Warm: the probability of a grasp point. Circles: the best pixels, best first. Small: the labels, green good, blue don’t care.{shown}</p>
+<div class="gallery">
+{cards}</div>
+)html";
+
+inline constexpr std::string_view kPictureTemplate = R"html(<figure class="card">
+<img class="overlay" alt="Probability map and best pixels of {name}" src="{overlay}">
+<figcaption class="below"><img class="mask" alt="Labels of {name}" src="{mask}">
+<span class="words"><strong>{name}</strong><br>{class}<br>{verdict}</span></figcaption>
+</figure>
+)html";
+
+inline constexpr std::string_view kModelTemplate = R"html(<h2>The model</h2>
+<dl>
+{facts}</dl>
+)html";
+
+inline constexpr std::string_view kMethodTemplate = R"html(<h2>How it was measured</h2>
+<dl>
+<dt>Best-pixel accuracy</dt><dd>In each image the up to {best_pixels} pixels of highest probability, each above {min_probability}{suppression}, over the whole image. Those on good ground, out of those on good or bad ground, all images together. An image with fewer such pixels counts with those it has.</dd>
+<dt>Pixel figures</dt><dd>Up to {half} good and as many bad pixels drawn from each image. A pixel is called good above probability {threshold}.</dd>
+<dt>Intervals</dt><dd>95 %, percentile bootstrap over images, {resamples} resamples: pixels of one image are alike, images are what varies.</dd>
+<dt>Seed</dt><dd>{seed}</dd>
+<dt>Data fingerprint</dt><dd><code>{fingerprint}</code></dd>
+</dl>
+<footer>This page stands alone: no script, nothing loaded from elsewhere.</footer>
+)html";
+
+}  // namespace handcraft::experiments
