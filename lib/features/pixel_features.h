@@ -9,18 +9,22 @@
 #include "lib/core/image.h"
 #include "lib/features/colour.h"
 #include "lib/features/feature_spec.h"
+#include "lib/features/instruction_set.h"
 
 namespace handcraft::features {
 
-/// The energies of every filter at every pixel of one picture, from which the feature vector of any
-/// pixel is read: the trainer's side of the features. Made by the same vector code as the scores
-/// (pixel_scorer.h), hence with the same bits.
+/// The energies of every filter at every pixel of one picture (and of its shrunk copies: pixel (u,
+/// v) of the picture is pixel (⌊u/s⌋, ⌊v/s⌋) of the one shrunk s-fold by averaging s × s pixels),
+/// from which the feature vector of any pixel is read: the trainer's side of the features. Made by
+/// the same vector code as the scores (pixel_scorer.h), hence with the same bits.
 class PixelFeatures {
  public:
   /// Filters the picture. Cost: about 10 bytes written and 6 multiply-adds a filter and pixel.
   /// Throws std::logic_error when the spec is invalid, the picture empty, or colour is needed and
   /// the picture is gray. Allocates num_filters · width · height floats (and the small scales).
-  PixelFeatures(const RawImage& image, FeatureSpec spec);
+  PixelFeatures(const RawImage& image,
+                FeatureSpec spec,
+                InstructionSet instruction_set = SupportedInstructionSets().back());
 
   [[nodiscard]] const FeatureSpec& spec() const noexcept { return spec_; }
   [[nodiscard]] int width() const noexcept { return width_; }

@@ -6,22 +6,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "lib/features/colour.h"
 #include "lib/features/feature_spec.h"
+#include "lib/features/instruction_set.h"
 
 namespace handcraft::features {
-
-/// Instruction sets with a version of the scorer of their own. All but kBaseline round every
-/// operation alike and give the same bits; kBaseline (SSE2, or plain C++) has no fused multiply-add
-/// and differs in the last bits.
-enum class InstructionSet : std::uint8_t { kBaseline, kNeon, kAvx2, kAvx512 };
-
-[[nodiscard]] std::string_view NameOf(InstructionSet set) noexcept;
-/// Those this processor can run, best last.
-[[nodiscard]] std::span<const InstructionSet> SupportedInstructionSets() noexcept;
 
 /// Scores every pixel of a picture with a linear model on its features, without ever forming the
 /// feature vectors:

@@ -1,0 +1,131 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 the Handcraft authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs clang-tidy on the sources that a change touches.
+
+    scripts/run_clang_tidy.py [--build build/dev] [--jobs 2] [--all | --base COMMIT]
+
+Looks at every source that differs from COMMIT, or includes a header that does. Without --base:
+where HEAD left origin/main, else twenty commits back, else everything. A source that passed before
+with the same text, headers, compile command and configuration is not looked at again. Exit code 1
+when there is a finding.
+"""
+
+import argparse
+import concurrent.futures
+import hashlib
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+from typing import Dict, List, Optional, Set
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+CONFIGURATION = ".clang-tidy"
+OWN_INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', flags=re.M)
+
+
+def git(*arguments: str) -> Optional[List[str]]:
+    """Lines of git's answer, or None when git cannot give one (no repository, no such commit)."""
+    command = ["git", "-c", f"safe.directory={ROOT}", "-C", str(ROOT), *arguments]
+    try:
+        process = subprocess.run(command, capture_output=True, text=True)
+    except FileNotFoundError:
+        return None
+    return process.stdout.splitlines() if process.returncode == 0 else None
+
+
+def default_base() -> Optional[str]:
+    head = git("rev-parse", "HEAD")
+    branched = git("merge-base", "HEAD", "origin/main")
+    if head and branched and branched != head:
+        return branched[0]
+    twenty_back = git("rev-parse", "--verify", "HEAD~20")
+    return twenty_back[0] if twenty_back else None
+
+
+def changed_files(base: Optional[str]) -> Optional[Set[str]]:
+    """Paths that differ from the base or are new; None: take everything."""
+    differing = git("diff", "--name-only", base) if base else None
+    untracked = git("ls-files", "--others", "--exclude-standard")
+    if differing is None or untracked is None or CONFIGURATION in differing:
+        return None
+    return set(differing) | set(untracked)
+
+
+def compile_commands(build: pathlib.Path) -> Dict[str, str]:
+    """Source below the root -> the command that compiles it."""
+    commands = {}
+    for entry in json.loads((build / "compile_commands.json").read_text(encoding="utf-8")):
+        source = pathlib.Path(entry["directory"], entry["file"]).resolve()
+        if ROOT in source.parents and build not in source.parents:
+            commands.setdefault(source.relative_to(ROOT).as_posix(), entry["command"])
+    return commands
+
+
+def with_own_headers(source: str) -> List[str]:
+    """The source and every header of the project that it includes, directly or not."""
+    seen, waiting = {source}, [source]
+    while waiting:
+        text = (ROOT / waiting.pop()).read_text(encoding="utf-8", errors="replace")
+        for header in OWN_INCLUDE.findall(text):
+            if header not in seen and (ROOT / header).is_file():
+                seen.add(header)
+                waiting.append(header)
+    return sorted(seen)
+
+
+def key_of(files: List[str], command: str, tool_version: str) -> str:
+    """Changes whenever the answer of clang-tidy could."""
+    digest = hashlib.sha256(f"{tool_version}\n{command}\n".encode())
+    for name in [CONFIGURATION, *files]:
+        digest.update(name.encode() + b"\0" + (ROOT / name).read_bytes())
+    return digest.hexdigest()
+
+
+def look_at(source: str, build: pathlib.Path) -> str:
+    """clang-tidy's findings, or nothing."""
+    process = subprocess.run(["clang-tidy", "-p", str(build), "--quiet", str(ROOT / source)],
+                             capture_output=True, text=True, cwd=ROOT)
+    return process.stdout + process.stderr if process.returncode != 0 else ""
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/dev")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--all", action="store_true", help="every source")
+    parser.add_argument("--base", default=None, help="commit to compare with")
+    arguments = parser.parse_args()
+    build = arguments.build.resolve()
+    changed = None if arguments.all else changed_files(arguments.base or default_base())
+    version = subprocess.run(["clang-tidy", "--version"], check=True, capture_output=True, text=True)
+
+    cache = build / "clang_tidy"
+    cache.mkdir(exist_ok=True)
+    stamps, waiting = {}, []
+    for source, command in sorted(compile_commands(build).items()):
+        files = with_own_headers(source)
+        stamps[source] = cache / key_of(files, command, version.stdout)
+        if (changed is None or changed & set(files)) and not stamps[source].exists():
+            waiting.append(source)
+    for stale in set(cache.iterdir()) - set(stamps.values()):
+        stale.unlink()
+    print(f"clang-tidy: {len(waiting)} of {len(stamps)} sources to look at", flush=True)
+
+    num_findings = 0
+    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+        for source, findings in zip(waiting, pool.map(lambda s: look_at(s, build), waiting)):
+            if findings:
+                num_findings += 1
+                print(findings, flush=True)
+            else:
+                stamps[source].touch()
+    print(f"clang-tidy: {num_findings} of {len(waiting)} sources with findings")
+    return 1 if num_findings else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
