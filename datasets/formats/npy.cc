@@ -22,8 +22,7 @@ namespace handcraft::datasets {
 namespace {
 
 constexpr std::string_view kMagic = "\x93NUMPY";
-static_assert(std::endian::native == std::endian::little ||
-              std::endian::native == std::endian::big);
+static_assert(std::endian::native == std::endian::little, "numbers are taken as memory holds them");
 
 struct Header {
   std::string type;  // as in the file: byte order, kind, bytes an element
