@@ -19,6 +19,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+/* NOLINTBEGIN(modernize-use-using): C has no using. */
 
 #define HC_API __attribute__((visibility("default")))
 
@@ -132,6 +133,7 @@ HC_API const char* hc_status_message(hc_status status);
 /** "0.1.0" */
 HC_API const char* hc_version(void);
 
+/* NOLINTEND(modernize-use-using) */
 #ifdef __cplusplus
 } /* extern "C" */
 #endif

@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "lib/model_io/linear_models.h"
+
+#include <cstdlib>
+#include <ctime>
+#include <initializer_list>
+#include <utility>
+
+#include "lib/core/check.h"
+#include "lib/core/error.h"
+#include "lib/core/sha256.h"
+#include "lib/features/filter_bank.h"
+#include "lib/model_io/grasp_point_self_test.h"
+#include "lib/runtime/format.h"
+#include "lib/runtime/logistic_model.h"
+
+namespace handcraft::model_io {
+namespace {
+
+namespace format = runtime::format;
+using Metadata = std::map<std::string, std::string>;
+
+template <class T>
+Tensor Vector(std::vector<T> values) {
+  const auto size = static_cast<std::int64_t>(values.size());
+  return {std::move(values), {size}};
+}
+
+template <class T>
+Tensor Scalar(T value) {
+  return {std::vector<T>{value}, {1}};
+}
+
+void AddUnlessEmpty(const std::string& key, const std::string& value, Metadata& metadata) {
+  if (!value.empty()) metadata[key] = value;
+}
+
+// § 4: a time only if the builder fixes it (reproducible-builds.org), so that bytes stay the same.
+std::string CreationTime() {
+  const char* text = std::getenv("SOURCE_DATE_EPOCH");  // NOLINT(concurrency-mt-unsafe)
+  if (text == nullptr || *text == '\0') return "";
+  char* end = nullptr;
+  const std::time_t seconds = std::strtoll(text, &end, 10);
+  std::tm utc{};
+  if (*end != '\0' || ::gmtime_r(&seconds, &utc) == nullptr) {
+    throw Error({.kind = Error::Kind::kUsage,
+                 .reason = std::string("SOURCE_DATE_EPOCH is '") + text + "'",
+                 .remedy = "give seconds since 1970, or unset it"});
+  }
+  char buffer[32];
+  const std::size_t length = std::strftime(buffer, sizeof buffer, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return {buffer, length};
+}
+
+// § 4.1: what every model says about its origin.
+Metadata DescribeOrigin(const Provenance& provenance) {
+  Metadata metadata;
+  for (const auto& [key, value] : provenance.hyper_parameters) {
+    metadata["hc.training." + key] = value;
+  }
+  for (const auto& [key, value] : provenance.metrics) metadata["hc.metrics." + key] = value;
+  const std::initializer_list<std::pair<const char*, const std::string&>> fields = {
+      {"hc.name", provenance.name},
+      {"hc.version", provenance.version},
+      {"hc.task", provenance.task},
+      {"hc.licence", provenance.licence},
+      {"hc.intended_use", provenance.intended_use},
+      {"hc.limits", provenance.limits},
+      {"hc.training.algorithm", provenance.algorithm},
+      {"hc.training.data_fingerprint", provenance.data_fingerprint},
+      {"hc.training.class_counts", provenance.class_counts},
+      {"hc.parent", provenance.parent}};
+  for (const auto& [key, value] : fields) AddUnlessEmpty(key, value, metadata);
+  AddUnlessEmpty("hc.created", CreationTime(), metadata);
+  metadata["hc.tool"] = "handcraft " HANDCRAFT_VERSION;
+  metadata["hc.tool.compiler"] = HANDCRAFT_COMPILER;
+  AddUnlessEmpty("hc.tool.commit", HANDCRAFT_COMMIT, metadata);
+  return metadata;
+}
+
+// § 4.2: what a grasp-point model takes and gives.
+void DescribeImageInterface(Metadata& metadata) {
+  metadata["hc.inputs"] = "image";
+  metadata["hc.input.image.dtype"] = "uint8";
+  metadata["hc.input.image.shape"] = "height,width,channels";
+  metadata["hc.input.image.layout"] = "rows from the top, channels interleaved";
+  metadata["hc.input.image.encoding"] = "gray, BGR or RGB; Y'CbCr by ITU-R BT.601, full range";
+  metadata["hc.input.image.units"] = "0 to 255";
+  metadata["hc.outputs"] = "probability";
+  metadata["hc.output.probability.dtype"] = "float32";
+  metadata["hc.output.probability.shape"] = "height,width";
+  metadata["hc.output.probability.layout"] = "rows from the top";
+  metadata["hc.output.probability.units"] = "probability of label 1, 0 to 1";
+  metadata["hc.labels.0"] = "other";
+  metadata["hc.labels.1"] = "grasp_point";
+  metadata["hc.tie_rule"] = "best first by probability, then smaller row, then smaller column";
+  metadata["hc.frames"] = "image: u right, v down, (0, 0) the centre of the top-left pixel [px]";
+}
+
+void DescribeRowInterface(Metadata& metadata) {
+  metadata["hc.inputs"] = "row";
+  metadata["hc.input.row.dtype"] = "float64";
+  metadata["hc.input.row.shape"] = "num_features";
+  metadata["hc.input.row.layout"] = "columns in the order of the tensor column_names";
+  metadata["hc.input.row.encoding"] = "raw numbers, as in the table";
+  metadata["hc.input.row.units"] = "those of the table";
+  metadata["hc.outputs"] = "probability";
+  metadata["hc.output.probability.dtype"] = "float64";
+  metadata["hc.output.probability.shape"] = "1";
+  metadata["hc.output.probability.units"] = "probability of label 1, 0 to 1";
+  metadata["hc.tie_rule"] = "label 1 if the probability is above 0.5";
+}
+
+// § 5.4: the normaliser that is folded into the weights; none is mean 0 and scale 1.
+void AddNormaliser(const LinearModel& model, ModelFile& file) {
+  const std::size_t num_features = model.weights.size();
+  const bool none = model.feature_mean.empty() && model.feature_scale.empty();
+  HC_CHECK(none || (model.feature_mean.size() == num_features &&
+                    model.feature_scale.size() == num_features),
+           num_features,
+           model.feature_mean.size(),
+           model.feature_scale.size());
+  file.tensors["feature_mean"] =
+      Vector(none ? std::vector<double>(num_features, 0.0) : model.feature_mean);
+  file.tensors["feature_scale"] =
+      Vector(none ? std::vector<double>(num_features, 1.0) : model.feature_scale);
+}
+
+// § 5.1, § 5.2: which numbers describe a pixel, and the filters themselves.
+void AddFeatureSpec(const features::FeatureSpec& spec, ModelFile& file) {
+  std::vector<std::int32_t> ids;
+  std::vector<float> numbers;
+  for (const features::Filter filter : spec.filters) {
+    ids.push_back(static_cast<std::int32_t>(filter));
+    for (const features::Kernel& component : features::KernelsOf(filter).components) {
+      for (const auto& row : component) numbers.insert(numbers.end(), row.begin(), row.end());
+    }
+  }
+  constexpr std::int64_t kSide = features::kKernelSize;
+  file.tensors["filters"] = {std::move(numbers), {spec.NumFilters(), 2, kSide, kSide}};
+  file.tensors["filter_ids"] = Vector(std::move(ids));
+  file.tensors["window"] = Scalar<std::int32_t>(spec.window);
+  file.tensors["energy"] = Scalar(static_cast<std::int32_t>(spec.energy));
+  file.tensors["energy_offset"] = Scalar(features::kLogEnergyOffset);
+  if (!spec.scales.empty()) {
+    file.tensors["scales"] =
+        Vector(std::vector<std::int32_t>(spec.scales.begin(), spec.scales.end()));
+  }
+  const std::string text = features::ToString(spec);
+  Sha256 hash;
+  hash.Update(text);
+  file.metadata[std::string(format::kFeaturesKey)] = text;
+  file.metadata[std::string(format::kFeaturesHashKey)] = hash.HexDigest();
+}
+
+// § 6.1: names separated by newlines.
+std::vector<std::uint8_t> JoinColumnNames(const std::vector<std::string>& names) {
+  std::vector<std::uint8_t> joined;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i].empty() || names[i].find('\n') != std::string::npos) {
+      throw Error({.reason = "the name of column " + std::to_string(i + 1) +
+                             " is empty or has a line break",
+                   .remedy = "rename the column"});
+    }
+    if (i > 0) joined.push_back('\n');
+    joined.insert(joined.end(), names[i].begin(), names[i].end());
+  }
+  return joined;
+}
+
+// § 6.2: the mean row, and the rows one scale off it in turns, up first and down first.
+void AddLogisticSelfTest(const LinearModel& model, ModelFile& file) {
+  constexpr std::size_t kNumRows = 3;
+  const std::size_t num_features = model.weights.size();
+  const auto& mean = std::get<std::vector<double>>(file.tensors["feature_mean"].values);
+  const auto& scale = std::get<std::vector<double>>(file.tensors["feature_scale"].values);
+  const runtime::LogisticModel predictor{model.weights, model.intercept};
+  std::vector<double> rows;
+  std::vector<double> probabilities;
+  for (std::size_t r = 0; r < kNumRows; ++r) {
+    std::vector<double> row(mean);
+    for (std::size_t i = 0; i < num_features && r > 0; ++i) {
+      row[i] += (i + r) % 2 == 1 ? scale[i] : -scale[i];
+    }
+    probabilities.push_back(predictor.Probability(row));
+    rows.insert(rows.end(), row.begin(), row.end());
+  }
+  file.tensors["selftest.input"] = {std::move(rows),
+                                    {kNumRows, static_cast<std::int64_t>(num_features)}};
+  file.tensors["selftest.output"] = Vector(std::move(probabilities));
+  file.tensors["selftest.tolerance"] = Scalar(1e-9);
+}
+
+}  // namespace
+
+ModelFile MakeGraspPointModel(const features::FeatureSpec& spec,
+                              const LinearModel& model,
+                              const Provenance& provenance) {
+  const std::string_view fault = features::FaultOf(spec);
+  HC_CHECK(fault.empty(), fault);
+  HC_CHECK(model.weights.size() == static_cast<std::size_t>(spec.NumFeatures()),
+           model.weights.size(),
+           spec.NumFeatures());
+  ModelFile file{.tensors = {}, .metadata = DescribeOrigin(provenance)};
+  file.metadata[std::string(format::kKindKey)] = format::kGraspPointKind;
+  file.metadata[std::string(format::kKindVersionKey)] = format::kKindVersion;
+  DescribeImageInterface(file.metadata);
+  AddFeatureSpec(spec, file);
+  AddNormaliser(model, file);
+
+  std::vector<float> weights(model.weights.begin(), model.weights.end());
+  GraspPointSelfTest test = MakeGraspPointSelfTest(spec, weights, model.intercept);
+  const std::int64_t height = test.picture.height();
+  const std::int64_t width = test.picture.width();
+  file.tensors["weights"] = Vector(std::move(weights));
+  file.tensors["intercept"] = Scalar(model.intercept);
+  file.tensors["selftest.input"] = {test.picture.values(), {height, width, 3}};
+  file.tensors["selftest.output"] = {std::move(test.probabilities), {height, width}};
+  file.tensors["selftest.tolerance"] = Scalar(test.tolerance);
+  return file;
+}
+
+ModelFile MakeLogisticModel(const std::vector<std::string>& column_names,
+                            const std::string& label_column,
+                            const std::string& negative_label,
+                            const std::string& positive_label,
+                            const LinearModel& model,
+                            const Provenance& provenance) {
+  HC_CHECK(!column_names.empty() && column_names.size() == model.weights.size(),
+           column_names.size(),
+           model.weights.size());
+  ModelFile file{.tensors = {}, .metadata = DescribeOrigin(provenance)};
+  file.metadata[std::string(format::kKindKey)] = format::kLogisticKind;
+  file.metadata[std::string(format::kKindVersionKey)] = format::kKindVersion;
+  DescribeRowInterface(file.metadata);
+  file.metadata["hc.label_column"] = label_column;
+  file.metadata["hc.labels.0"] = negative_label;
+  file.metadata["hc.labels.1"] = positive_label;
+  file.tensors["weights"] = Vector(model.weights);
+  file.tensors["intercept"] = Scalar(model.intercept);
+  file.tensors["column_names"] = Vector(JoinColumnNames(column_names));
+  AddNormaliser(model, file);
+  AddLogisticSelfTest(model, file);
+  return file;
+}
+
+std::vector<std::string> ColumnNamesOf(const ModelFile& model) {
+  const auto found = model.tensors.find("column_names");
+  const auto* bytes = found == model.tensors.end()
+                          ? nullptr
+                          : std::get_if<std::vector<std::uint8_t>>(&found->second.values);
+  if (bytes == nullptr) {
+    throw Error(
+        {.reason = "the model has no column names", .remedy = "give a model of kind logistic"});
+  }
+  std::vector<std::string> names(1);
+  for (const std::uint8_t byte : *bytes) {
+    if (byte == '\n') {
+      names.emplace_back();
+    } else {
+      names.back() += static_cast<char>(byte);
+    }
+  }
+  return names;
+}
+
+}  // namespace handcraft::model_io
