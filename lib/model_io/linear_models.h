@@ -15,27 +15,27 @@ namespace handcraft::model_io {
 /// What every model file says about its origin (metadata, docs/model_format.md). Empty strings are
 /// left out.
 struct Provenance {
-  std::string name;
+  std::string name = {};
   std::string version = "1";
-  std::string task;
-  std::string licence;
-  std::string intended_use;
-  std::string limits;
-  std::string algorithm;                                ///< "logistic_irls"
-  std::string data_fingerprint;                         ///< SHA-256 of the training data
-  std::string class_counts;                             ///< "0: 77094, 1: 77094"
-  std::string parent;                                   ///< SHA-256 of the model it began with
-  std::map<std::string, std::string> hyper_parameters;  ///< written as hc.training.<key>
-  std::map<std::string, std::string> metrics;           ///< written as hc.metrics.<key>
+  std::string task = {};
+  std::string licence = {};
+  std::string intended_use = {};
+  std::string limits = {};
+  std::string algorithm = {};                                ///< "logistic_irls"
+  std::string data_fingerprint = {};                         ///< SHA-256 of the training data
+  std::string class_counts = {};                             ///< "0: 77094, 1: 77094"
+  std::string parent = {};                                   ///< SHA-256 of the model it began with
+  std::map<std::string, std::string> hyper_parameters = {};  ///< written as hc.training.<key>
+  std::map<std::string, std::string> metrics = {};           ///< written as hc.metrics.<key>
 };
 
 /// z = intercept + Σ weights · x on raw inputs: the normaliser is already folded in;
 /// feature_mean and feature_scale say what it was (both empty: there was none).
 struct LinearModel {
-  std::vector<double> weights;  ///< num_features
+  std::vector<double> weights = {};  ///< num_features
   double intercept = 0.0;
-  std::vector<double> feature_mean;
-  std::vector<double> feature_scale;
+  std::vector<double> feature_mean = {};
+  std::vector<double> feature_scale = {};
 };
 
 /// Kind "grasp_point": the linear model with its filters, window and energy, and self-test vectors

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/evaluation/table_model.h"
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "datasets/formats/csv_records.h"
+#include "datasets/formats/npy.h"
+#include "lib/core/check.h"
+#include "lib/core/error.h"
+#include "lib/core/file.h"
+#include "lib/model_io/linear_models.h"
+#include "lib/model_io/model_writer.h"
+
+namespace handcraft::experiments {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The label column as ReadTable takes it; empty when the file has none.
+std::string LabelColumnIn(const fs::path& path, const TableModel& model) {
+  if (datasets::IsNpy(path)) {
+    const bool has_one_more = datasets::ReadNpy(path).columns == model.columns.size() + 1;
+    return has_one_more ? model.label_column : "";
+  }
+  datasets::CsvRecords records(path);
+  std::vector<std::string_view> header;
+  const bool is_there = records.Next(header) &&
+                        std::find(header.begin(), header.end(), model.label_column) != header.end();
+  return is_there ? model.label_column : "";
+}
+
+// Where each of the model's columns stands in the table. Throws Error naming those that do not.
+std::vector<std::size_t> FindColumns(const TableModel& model,
+                                     const datasets::Table& table,
+                                     const fs::path& path) {
+  std::vector<std::size_t> places;
+  std::string missing;
+  for (const std::string& column : model.columns) {
+    const auto found = std::find(table.columns.begin(), table.columns.end(), column);
+    places.push_back(static_cast<std::size_t>(found - table.columns.begin()));
+    if (found == table.columns.end()) missing += (missing.empty() ? "'" : ", '") + column + "'";
+  }
+  if (!missing.empty()) {
+    throw Error({.path = path.string(),
+                 .reason = "the model reads columns that are not there: " + missing,
+                 .remedy = "the first line must name them"});
+  }
+  return places;
+}
+
+datasets::Table TakeColumns(const datasets::Table& table,
+                            const std::vector<std::size_t>& places,
+                            const std::vector<std::string>& names) {
+  datasets::Table taken{.columns = names,
+                        .values = {},
+                        .num_rows = table.num_rows,
+                        .label_column = table.label_column,
+                        .labels = table.labels};
+  taken.values.reserve(table.num_rows * places.size());
+  for (std::size_t row = 0; row < table.num_rows; ++row) {
+    for (const std::size_t place : places) {
+      taken.values.push_back(table.values[row * table.columns.size() + place]);
+    }
+  }
+  return taken;
+}
+
+}  // namespace
+
+TableModel ReadTableModel(const fs::path& path) {
+  const model_io::ModelFile file = model_io::Parse(ReadFile(path), path.string());
+  const auto metadata = [&file](const std::string& key) {
+    const auto found = file.metadata.find(key);
+    return found == file.metadata.end() ? std::string() : found->second;
+  };
+  if (const std::string kind = metadata("hc.kind"); kind != "logistic") {
+    throw Error({.path = path.string(),
+                 .reason = "this is a model of kind " + kind + ", which reads no tables",
+                 .remedy = "give a model made by 'handcraft train logistic'"});
+  }
+  return {.columns = model_io::ColumnNamesOf(file),
+          .label_column = metadata("hc.label_column"),
+          .negative_label = metadata("hc.labels.0"),
+          .positive_label = metadata("hc.labels.1")};
+}
+
+datasets::Table ReadTableFor(const TableModel& model, const fs::path& path) {
+  datasets::Table table = datasets::ReadTable(path, LabelColumnIn(path, model));
+  if (datasets::IsNpy(path) && table.columns.size() == model.columns.size()) {
+    table.columns = model.columns;
+    return table;
+  }
+  return TakeColumns(table, FindColumns(model, table, path), model.columns);
+}
+
+std::vector<double> PredictTable(const hc_model* model, const datasets::Table& table) {
+  const std::size_t num_features = hc_model_num_features(model);
+  HC_CHECK(table.columns.size() == num_features, table.columns.size(), num_features);
+  std::vector<double> probabilities(table.num_rows);
+  for (std::size_t row = 0; row < table.num_rows; ++row) {
+    const hc_status status = hc_predict_row(
+        model, table.values.data() + row * num_features, num_features, &probabilities[row]);
+    HC_CHECK(status == HC_OK, hc_status_message(status));
+  }
+  return probabilities;
+}
+
+void RequireLabelsOf(const TableModel& model, const datasets::Table& table, const fs::path& path) {
+  if (table.labels.empty()) {
+    throw Error({.path = path.string(),
+                 .reason = "no label column '" + model.label_column + "' to compare with",
+                 .remedy = "add it, or use 'handcraft predict'"});
+  }
+  const auto wrong =
+      std::find_if(table.labels.begin(), table.labels.end(), [&model](const std::string& label) {
+        return label != model.negative_label && label != model.positive_label;
+      });
+  if (wrong == table.labels.end()) return;
+  throw Error({.path = path.string(),
+               .reason = "the label '" + *wrong + "' of row " +
+                         std::to_string(wrong - table.labels.begin() + 1) +
+                         " is not one of the model's: '" + model.negative_label + "', '" +
+                         model.positive_label + "'"});
+}
+
+}  // namespace handcraft::experiments
