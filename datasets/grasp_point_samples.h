@@ -15,11 +15,11 @@ namespace handcraft::datasets {
 
 /// How good and bad pixels are drawn from labelled pictures (dissertation section 3.3).
 struct SamplingOptions {
-  std::size_t num_samples = 40000;   ///< wanted in all; 0: every labelled pixel
+  std::size_t num_samples = 40000;   ///< wanted in all; 0: every labelled pixel, whatever the ratio
   double bad_per_good = 1.0;         ///< ratio, > 0; 1 as in the dissertation
-  double image_share = 1.0;          ///< share of the images used, (0, 1], drawn by instance
+  double image_share = 1.0;          ///< share of the instances whose images are used, (0, 1]
   double hard_negative_share = 0.0;  ///< share of bad pixels drawn near good ones, [0, 1]
-  int hard_negative_radius_px = 40;  ///< … no farther than this from a good pixel
+  int hard_negative_radius_px = 40;  ///< … no farther than this from a good pixel, ≥ 1
   std::uint64_t seed = 1;
   int num_threads = 1;
   Progress progress = {};
@@ -43,12 +43,19 @@ struct PixelSample {
   std::uint16_t u_px = 0;
   std::uint16_t v_px = 0;
   std::uint8_t label = 0;  ///< 1 good, 0 bad
+  bool operator==(const PixelSample&) const = default;
 };
 
 /// Draws the pixels: each image gives the same number of good ones (as far as it has them; what it
-/// lacks is taken from the others in turn) and bad_per_good times as many bad ones; don't-care is
-/// never drawn; no pixel twice. Sorted by image, row, column. Throws Error when no image has both.
-/// Deterministic in the seed; a picture's draws do not depend on the other pictures.
+/// lacks is taken from the others in turn) and bad_per_good times as many bad ones (sample_quotas.h
+/// has the arithmetic); don't-care is never drawn; no pixel twice. Images without good or without
+/// bad pixels are left out. Fewer than num_samples when the images have no more. Sorted by image,
+/// row, column.
+///
+/// Which pixels of an image come first is a matter of the seed and the image's name alone: another
+/// image, or another number of samples, changes how many are taken and never their order.
+/// Deterministic for any number of threads. Reads the masks alone, twice, one a thread at a time.
+/// Throws Error when no image has both kinds, or a class would get no pixel at all.
 [[nodiscard]] std::vector<PixelSample> DrawSamples(const LabelledImageSet& set,
                                                    const SamplingOptions& options);
 
@@ -59,6 +66,11 @@ struct GraspPointSamples {
   std::size_t num_features = 0;
   [[nodiscard]] std::size_t num_samples() const noexcept { return labels.size(); }
 };
+
+/// Computes the features of each sample, in their order; of `options` only num_threads and progress
+/// count. `samples` are sorted by image, as DrawSamples returns them. Throws Error when a picture
+/// cannot be read, or is gray and the features look at colour; std::logic_error when a sample lies
+/// outside its picture. Beside the result, one picture's energies are held a thread.
 [[nodiscard]] GraspPointSamples ComputeSampleFeatures(const LabelledImageSet& set,
                                                       const std::vector<PixelSample>& samples,
                                                       const features::FeatureSpec& spec,

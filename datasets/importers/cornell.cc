@@ -18,10 +18,10 @@
 
 #include "datasets/formats/csv_records.h"
 #include "datasets/importers/staging_folder.h"
+#include "datasets/parallel_reporting.h"
 #include "lib/core/error.h"
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
-#include "lib/core/parallel.h"
 #include "lib/perception/image_io.h"
 
 namespace handcraft::datasets {
@@ -238,15 +238,12 @@ LabelledImageSet ImportCornell(const fs::path& source,
   }
   staging.AddFolder("images");
   staging.AddFolder("masks");
-  const std::size_t batch = 8 * static_cast<std::size_t>(options.num_threads);
-  for (std::size_t begin = 0; begin < pictures.size(); begin += batch) {
-    Report(options.progress, "importing pictures", begin, pictures.size());
-    const std::size_t count = std::min(batch, pictures.size() - begin);
-    ParallelFor(count, options.num_threads, [&](std::size_t i) {
-      WritePicture(pictures[begin + i], set.items[begin + i], set.root, options);
-    });
-  }
-  Report(options.progress, "importing pictures", pictures.size(), pictures.size());
+  ParallelForReporting(
+      pictures.size(),
+      options.num_threads,
+      options.progress,
+      "importing pictures",
+      [&](std::size_t i) { WritePicture(pictures[i], set.items[i], set.root, options); });
   WriteManifest(set);
   staging.MoveToTarget();
   set.root = out;
