@@ -4,27 +4,73 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "lib/core/image.h"
 #include "lib/core/rng.h"
+#include "lib/features/pixel_features.h"
 #include "lib/model_io/linear_models.h"
 
 namespace handcraft::testing {
 
-/// A grasp-point model whose weights are drawn from a fixed seed: what it predicts means nothing,
-/// but it takes every value between 0 and 1.
+/// A picture of noise over ramps, from a seed.
+inline Image SomePicture(int width, int height, int channels, std::uint64_t seed) {
+  Image picture(width, height, channels);
+  Rng rng(seed);
+  for (int v = 0; v < height; ++v) {
+    for (int u = 0; u < width; ++u) {
+      for (int c = 0; c < channels; ++c) {
+        picture.At(u, v, c) = static_cast<std::uint8_t>((4 * u + 3 * v + 50 * c) % 200 +
+                                                        static_cast<int>(rng.UniformInt(56)));
+      }
+    }
+  }
+  return picture;
+}
+
+/// Mean and standard deviation of each feature over the pixels of a picture.
+inline void MeasureFeatures(const Image& picture,
+                            const features::FeatureSpec& spec,
+                            model_io::LinearModel& model) {
+  const features::PixelFeatures pixels({.data = picture.values().data(),
+                                        .width = picture.width(),
+                                        .height = picture.height(),
+                                        .stride_bytes = std::ptrdiff_t{3} * picture.width(),
+                                        .format = features::PixelFormat::kBgr8},
+                                       spec);
+  const auto num_features = static_cast<std::size_t>(spec.NumFeatures());
+  const int num_pixels = picture.width() * picture.height();
+  std::vector<float> x(num_features);
+  std::vector<double> sum(num_features);
+  std::vector<double> sum_of_squares(num_features);
+  for (int i = 0; i < num_pixels; ++i) {
+    pixels.Gather(i % picture.width(), i / picture.width(), x);
+    for (std::size_t j = 0; j < num_features; ++j) {
+      sum[j] += x[j];
+      sum_of_squares[j] += double{x[j]} * double{x[j]};
+    }
+  }
+  for (std::size_t j = 0; j < num_features; ++j) {
+    const double mean = sum[j] / num_pixels;
+    model.feature_mean.push_back(mean);
+    model.feature_scale.push_back(std::sqrt(sum_of_squares[j] / num_pixels - mean * mean));
+  }
+}
+
+/// A grasp-point model whose standardised weights are drawn from a fixed seed: what it predicts
+/// means nothing, but it takes values all over 0 to 1.
 inline model_io::ModelFile SomeGraspPointModel(std::string_view spec_text) {
   const features::FeatureSpec spec = features::ParseFeatureSpec(spec_text);
   Rng rng = Rng::Stream(1, spec_text);
   model_io::LinearModel model;
-  model.intercept = 0.25;
-  for (int i = 0; i < spec.NumFeatures(); ++i) {
-    model.weights.push_back(rng.Normal() / std::sqrt(spec.NumFeatures()));
-    model.feature_mean.push_back(rng.Uniform());
-    model.feature_scale.push_back(0.5 + rng.Uniform());
+  MeasureFeatures(SomePicture(30, 20, 3, 1), spec, model);
+  for (std::size_t i = 0; i < model.feature_mean.size(); ++i) {
+    model.weights.push_back(rng.Normal() / std::sqrt(spec.NumFilters()) / model.feature_scale[i]);
+    model.intercept -= model.weights[i] * model.feature_mean[i];
   }
   model_io::Provenance provenance;
   provenance.name = "some_grasp_points";
@@ -42,21 +88,6 @@ inline model_io::ModelFile SomeLogisticModel() {
   provenance.name = "some_table";
   return model_io::MakeLogisticModel(
       {"length_m", "width_m"}, "fits", "no", "yes", model, provenance);
-}
-
-/// A picture of noise over ramps, from a seed.
-inline Image SomePicture(int width, int height, int channels, std::uint64_t seed) {
-  Image picture(width, height, channels);
-  Rng rng(seed);
-  for (int v = 0; v < height; ++v) {
-    for (int u = 0; u < width; ++u) {
-      for (int c = 0; c < channels; ++c) {
-        picture.At(u, v, c) = static_cast<std::uint8_t>((4 * u + 3 * v + 50 * c) % 200 +
-                                                        static_cast<int>(rng.UniformInt(56)));
-      }
-    }
-  }
-  return picture;
 }
 
 }  // namespace handcraft::testing

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Files of every released format load for ever and predict what they predicted when they were made.
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "lib/core/file.h"
+#include "lib/model_io/model_writer.h"
+#include "lib/runtime/handcraft_runtime.h"
+#include "tests/lib/runtime/some_models.h"
+
+namespace handcraft {
+namespace {
+
+const std::filesystem::path kFolder = HANDCRAFT_SOURCE_DIR "/tests/data/models";
+
+hc_model* Load(const std::string& name) {
+  hc_model* model = nullptr;
+  hc_error error{};
+  EXPECT_EQ(hc_model_load_file((kFolder / name).c_str(), &model, &error), HC_OK)
+      << name << ": " << error.message;
+  return model;
+}
+
+// Probabilities of SomePicture(16, 12, 3, 1) at (3, 2), (8, 6) and (15, 11).
+void ExpectScores(const std::string& name, const std::vector<float>& expected) {
+  hc_model* model = Load(name);
+  hc_workspace* workspace = nullptr;
+  ASSERT_EQ(hc_workspace_create(model, 16, 12, &workspace), HC_OK);
+  const Image picture = testing::SomePicture(16, 12, 3, 1);
+  const hc_image image{picture.values().data(), 16, 12, 48, HC_BGR8};
+  std::vector<float> map(16 * 12);
+  ASSERT_EQ(hc_score_image(model, workspace, &image, map.data(), 16), HC_OK);
+  EXPECT_NEAR(map[2 * 16 + 3], expected[0], 1e-5);
+  EXPECT_NEAR(map[6 * 16 + 8], expected[1], 1e-5);
+  EXPECT_NEAR(map[11 * 16 + 15], expected[2], 1e-5);
+  hc_workspace_free(workspace);
+  hc_model_free(model);
+}
+
+TEST(GoldenModels, OfFormat1ScorePixelsAsTheyDid) {
+  ExpectScores("v1_grasp_point_edges54.safetensors", {0.328668F, 0.195423F, 0.117329F});
+  ExpectScores("v1_grasp_point_saxena459.safetensors", {0.344438F, 0.946584F, 0.999436F});
+}
+
+TEST(GoldenModels, OfFormat1PredictRowsAsTheyDid) {
+  hc_model* model = Load("v1_logistic.safetensors");
+  const double row[] = {0.25, 0.75};
+  double probability = 0.0;
+  ASSERT_EQ(hc_predict_row(model, row, 2, &probability), HC_OK);
+  EXPECT_NEAR(probability, 1.0 / (1.0 + std::exp(0.75)), 1e-15);
+  hc_model_free(model);
+}
+
+// Reading and writing again changes no byte: one model has one encoding.
+TEST(GoldenModels, AreWrittenAgainAsTheyAre) {
+  int num_files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+    if (entry.path().extension() != ".safetensors") continue;
+    ++num_files;
+    const std::vector<std::uint8_t> bytes = ReadFile(entry.path());
+    EXPECT_EQ(model_io::Serialise(model_io::Parse(bytes, entry.path())), bytes) << entry.path();
+  }
+  EXPECT_EQ(num_files, 3);
+}
+
+}  // namespace
+}  // namespace handcraft

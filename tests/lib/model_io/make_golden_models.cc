@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// make_golden_models FOLDER: writes the models of tests/data/models. Only for a new format or kind:
+// released files are never written again (tests/data/models/README.md).
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+
+#include "lib/core/file.h"
+#include "tests/lib/runtime/some_models.h"
+
+int main(int argc, char** argv) {
+  using handcraft::WriteFileAtomically;
+  namespace testing = handcraft::testing;
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: make_golden_models FOLDER\n");
+    return 2;
+  }
+  const std::filesystem::path folder = argv[1];
+  try {
+    for (const char* spec : {"edges54", "saxena459"}) {
+      WriteFileAtomically(folder / ("v1_grasp_point_" + std::string(spec) + ".safetensors"),
+                          handcraft::model_io::Serialise(testing::SomeGraspPointModel(spec)));
+    }
+    WriteFileAtomically(folder / "v1_logistic.safetensors",
+                        handcraft::model_io::Serialise(testing::SomeLogisticModel()));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
