@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/benchmarks/benchmark.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <vector>
+
+#include "lib/core/check.h"
+
+namespace handcraft::experiments {
+
+std::span<const Benchmark> AllBenchmarks() {
+  static constexpr std::array kBenchmarks = {
+      Benchmark{"score_all500_vga",
+                "probability of every pixel of a 640x480 picture, 500 features, one core",
+                &BenchmarkScoreAll500Vga},
+      Benchmark{"score_edges54_vga",
+                "probability of every pixel of a 640x480 picture, 54 features, one core",
+                &BenchmarkScoreEdges54Vga},
+      Benchmark{"load_model",
+                "load a 500-feature model: checksum, verification, self-test",
+                &BenchmarkLoadModel},
+  };
+  return kBenchmarks;
+}
+
+double MedianMs(int repetitions, const std::function<void()>& call) {
+  HC_CHECK(repetitions >= 1, repetitions);
+  using Clock = std::chrono::steady_clock;
+  std::vector<double> times_ms;
+  call();
+  for (int i = 0; i < repetitions; ++i) {
+    const Clock::time_point start = Clock::now();
+    call();
+    times_ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+  }
+  const auto middle = times_ms.begin() + static_cast<std::ptrdiff_t>(times_ms.size() / 2);
+  std::nth_element(times_ms.begin(), middle, times_ms.end());
+  return *middle;
+}
+
+}  // namespace handcraft::experiments

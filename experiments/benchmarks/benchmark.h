@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "lib/core/progress.h"
+
+namespace handcraft::experiments {
+
+struct BenchmarkOptions {
+  std::filesystem::path dataset =
+      "datasets/samples/cornell_mini";  ///< real pictures, where one is needed
+  int repetitions = 15;                 ///< of the quick ones; slow ones say how often they run
+  Progress progress = {};
+};
+
+/// One claim, measured beside its peer in one run. Times are medians.
+struct BenchmarkResult {
+  std::string name;  ///< stable, "score_all500_vga"
+  std::string what;
+  double dissertation_ms = 0.0;  ///< NaN: the text gives none
+  std::string peer;
+  double peer_ms = 0.0;  ///< NaN: the peer is not on this machine
+  double ours_ms = 0.0;
+  double ratio = 0.0;  ///< peer_ms / ours_ms
+  std::string unit = "ms";
+  std::map<std::string, double> details;
+};
+
+struct Benchmark {
+  std::string_view name;
+  std::string_view what;
+  BenchmarkResult (*run)(const BenchmarkOptions& options);
+};
+
+/// Every speed that the documents claim.
+[[nodiscard]] std::span<const Benchmark> AllBenchmarks();
+
+/// Median time of one call [ms], after one call that is not counted.
+[[nodiscard]] double MedianMs(int repetitions, const std::function<void()>& call);
+
+BenchmarkResult BenchmarkScoreAll500Vga(const BenchmarkOptions& options);
+BenchmarkResult BenchmarkScoreEdges54Vga(const BenchmarkOptions& options);
+BenchmarkResult BenchmarkLoadModel(const BenchmarkOptions& options);
+
+}  // namespace handcraft::experiments
