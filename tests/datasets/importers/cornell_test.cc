@@ -3,6 +3,9 @@
 
 #include "datasets/importers/cornell.h"
 
+#include <sys/resource.h>
+
+#include <csignal>
 #include <iterator>
 #include <map>
 #include <string>
@@ -193,6 +196,23 @@ TEST(ImportCornell, LeavesNothingBehindOnFailure) {
   WriteFileAtomically(folder / "out", "a file");
   EXPECT_THROWS_MESSAGE(
       ImportCornell(folder / "cornell", folder / "out", {}), Error, HasSubstr("is there already"));
+}
+
+// A limit on file size fails a write in mid-file, as a full disk does.
+TEST(ImportCornell, LeavesNothingBehindWhenTheDiskIsFull) {
+  const TemporaryDirectory folder;
+  AddCornellPicture(folder / "cornell", "0100");
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  rlimit small = before;
+  small.rlim_cur = 1000;
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  EXPECT_THROWS_MESSAGE(ImportCornell(folder / "cornell", folder / "out", {}),
+                        Error,
+                        HasSubstr("pcd0100r.png: cannot write"));
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
 }
 
 TEST(ImportCornell, RefusesAWrongGraspType) {
