@@ -8,21 +8,14 @@
 
 #include "experiments/evaluation/evaluation_pixels.h"
 #include "experiments/evaluation/grasp_point_figures.h"
+#include "experiments/evaluation/option_rules.h"
 #include "experiments/evaluation/runtime_scoring.h"
+#include "lib/core/check.h"
 #include "lib/core/error.h"
-#include "lib/core/fields.h"
 #include "lib/core/parallel.h"
 
 namespace handcraft::experiments {
 namespace {
-
-template <class T>
-void Require(bool holds, const char* field, T value, const char* rule) {
-  if (holds) return;
-  throw Error({.kind = Error::Kind::kUsage,
-               .reason = std::string("EvaluationOptions.") + field + " is " + NumberToText(value) +
-                         ", but must be " + rule});
-}
 
 ImageScore ScoreItem(const hc_model* model,
                      const datasets::LabelledImageSet& set,
@@ -51,16 +44,24 @@ ImageScore ScoreItem(const hc_model* model,
 }  // namespace
 
 void EvaluationOptions::Validate() const {
-  Require(threshold > 0.0 && threshold < 1.0, "threshold", threshold, "in (0, 1)");
-  Require(best_pixels >= 1, "best_pixels", best_pixels, "at least 1");
-  Require(best_min_probability >= 0.0 && best_min_probability < 1.0,
-          "best_min_probability",
-          best_min_probability,
-          "in [0, 1)");
-  Require(suppression_radius_px >= 0, "suppression_radius_px", suppression_radius_px, "at least 0");
-  Require(pixels_per_image >= 2, "pixels_per_image", pixels_per_image, "at least 2");
-  Require(bootstrap_resamples >= 1, "bootstrap_resamples", bootstrap_resamples, "at least 1");
-  Require(num_threads >= 1, "num_threads", num_threads, "at least 1");
+  RequireOption(
+      threshold > 0.0 && threshold < 1.0, "EvaluationOptions.threshold", threshold, "in (0, 1)");
+  RequireOption(best_pixels >= 1, "EvaluationOptions.best_pixels", best_pixels, "at least 1");
+  RequireOption(best_min_probability >= 0.0 && best_min_probability < 1.0,
+                "EvaluationOptions.best_min_probability",
+                best_min_probability,
+                "in [0, 1)");
+  RequireOption(suppression_radius_px >= 0,
+                "EvaluationOptions.suppression_radius_px",
+                suppression_radius_px,
+                "at least 0");
+  RequireOption(
+      pixels_per_image >= 2, "EvaluationOptions.pixels_per_image", pixels_per_image, "at least 2");
+  RequireOption(bootstrap_resamples >= 1,
+                "EvaluationOptions.bootstrap_resamples",
+                bootstrap_resamples,
+                "at least 1");
+  RequireOption(num_threads >= 1, "EvaluationOptions.num_threads", num_threads, "at least 1");
 }
 
 GraspPointEvaluation EvaluateGraspPoints(const hc_model* model,

@@ -3,7 +3,6 @@
 
 #include "experiments/evaluation/grasp_point_figures.h"
 
-#include <limits>
 #include <map>
 
 #include "experiments/metrics/grouped_auc.h"
@@ -19,22 +18,30 @@ struct Share {
   std::size_t total = 0;
 };
 
-Estimate BootstrapShare(const std::vector<Share>& shares, const EvaluationOptions& options) {
+// The share over all images with its interval. Where all images agree on 0 or on 1 the bootstrap
+// would claim certainty; the Wilson interval of that many images says what they can tell.
+Estimate EstimateShare(const std::vector<Share>& shares, const EvaluationOptions& options) {
+  std::vector<Share> counted;
+  for (const Share& share : shares) {
+    if (share.total > 0) counted.push_back(share);
+  }
   const auto share_of_groups = [&](std::span<const std::size_t> groups) {
     std::size_t right = 0;
     std::size_t total = 0;
     for (const std::size_t group : groups) {
-      right += shares[group].right;
-      total += shares[group].total;
+      right += counted[group].right;
+      total += counted[group].total;
     }
-    return total == 0 ? std::numeric_limits<double>::quiet_NaN()
-                      : static_cast<double>(right) / static_cast<double>(total);
+    return static_cast<double>(right) / static_cast<double>(total);
   };
-  return BootstrapOverGroups(shares.size(),
-                             share_of_groups,
-                             options.bootstrap_resamples,
-                             options.seed,
-                             options.num_threads);
+  const Estimate estimate = BootstrapOverGroups(counted.size(),
+                                                share_of_groups,
+                                                options.bootstrap_resamples,
+                                                options.seed,
+                                                options.num_threads);
+  if (estimate.value == 0.0) return WilsonInterval(0, counted.size());
+  if (estimate.value == 1.0) return WilsonInterval(counted.size(), counted.size());
+  return estimate;
 }
 
 // Accuracy on the drawn pixels, AUC, log-loss and Brier score.
@@ -56,7 +63,7 @@ void AddPixelFigures(std::span<const ImageScore* const> images,
     labels.insert(labels.end(), image.labels.begin(), image.labels.end());
     groups.insert(groups.end(), image.labels.size(), k);
   }
-  figures.accuracy = BootstrapShare(shares, options);
+  figures.accuracy = EstimateShare(shares, options);
   const GroupedAuc auc(probabilities, labels, groups, images.size());
   figures.auc = BootstrapOverGroups(
       images.size(),
@@ -99,7 +106,7 @@ GroupFigures ComputeGroupFigures(const std::string& name,
     figures.best_dont_care += counts.dont_care;
     best_shares.push_back({counts.good, counts.good + counts.bad});
   }
-  figures.best_pixel_accuracy = BootstrapShare(best_shares, options);
+  figures.best_pixel_accuracy = EstimateShare(best_shares, options);
   AddPixelFigures(images, options, figures);
   return figures;
 }

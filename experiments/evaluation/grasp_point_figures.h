@@ -20,8 +20,10 @@ struct BestPixelCounts {
 };
 [[nodiscard]] BestPixelCounts CountBestPixels(const ImageScore& image);
 
-/// The figures of a group of images. Intervals: bootstrap over its images, as
-/// BootstrapOverGroups. A figure that has nothing to stand on (no counted pixel, one class) is NaN.
+/// The figures of a group of images. Intervals: bootstrap over its images (BootstrapOverGroups);
+/// for a share of exactly 0 or 1 the Wilson interval with as many trials as images that count. A
+/// figure that has nothing to stand on (no counted pixel, one kind of pixel) is NaN, and so is the
+/// interval of a single image.
 /// Pure; the number of threads does not change a bit.
 [[nodiscard]] GroupFigures ComputeGroupFigures(const std::string& name,
                                                std::span<const ImageScore* const> images,

@@ -161,12 +161,20 @@ std::string VerdictOf(const BestPixelCounts& best, const EvaluationOptions& opti
 }
 
 std::string PictureText(const ReportPicture& picture, const EvaluationOptions& options) {
+  const std::string name = EscapeHtml(picture.name);
+  const std::string close_up =
+      picture.close_up_jpeg.empty()
+          ? std::string()
+          : fmt::format(fmt::runtime(kCloseUpTemplate),
+                        fmt::arg("name", name),
+                        fmt::arg("close_up", DataUri("image/jpeg", picture.close_up_jpeg)));
   return fmt::format(fmt::runtime(kPictureTemplate),
-                     fmt::arg("name", EscapeHtml(picture.name)),
+                     fmt::arg("name", name),
                      fmt::arg("class", EscapeHtml(picture.object_class)),
                      fmt::arg("verdict", VerdictOf(picture.best, options)),
                      fmt::arg("overlay", DataUri("image/jpeg", picture.overlay_jpeg)),
-                     fmt::arg("mask", DataUri("image/jpeg", picture.mask_jpeg)));
+                     fmt::arg("mask", DataUri("image/jpeg", picture.mask_jpeg)),
+                     fmt::arg("close_up", close_up));
 }
 
 std::string GalleryText(const GraspPointEvaluation& evaluation, const ReportContents& contents) {

@@ -26,6 +26,7 @@ struct ReportPicture {
   BestPixelCounts best;
   std::vector<std::uint8_t> overlay_jpeg;
   std::vector<std::uint8_t> mask_jpeg;
+  std::vector<std::uint8_t> close_up_jpeg;  ///< empty without best pixels
 };
 
 struct ReportContents {

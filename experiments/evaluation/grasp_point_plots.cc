@@ -76,7 +76,7 @@ SvgFigure PlotBestPixelAccuracy(const GraspPointEvaluation& evaluation) {
   std::vector<const GroupFigures*> groups;
   for (const GroupFigures& figures : evaluation.classes) groups.push_back(&figures);
   groups.push_back(&evaluation.all);
-  Axis x{.low = -0.5, .high = static_cast<double>(groups.size()) - 0.5};
+  Axis x{.low = -0.5, .high = static_cast<double>(groups.size()) - 0.5, .label = "class"};
   for (std::size_t i = 0; i < groups.size(); ++i) {
     x.ticks.push_back(static_cast<double>(i));
     x.tick_labels.push_back(groups[i]->name);

@@ -5,14 +5,10 @@
 #include <array>
 #include <utility>
 
-#include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
-
 #include "experiments/evaluation/grasp_point_evaluation.h"
 #include "experiments/evaluation/grasp_point_page.h"
+#include "experiments/evaluation/report_pictures.h"
 #include "experiments/evaluation/runtime_scoring.h"
-#include "lib/core/check.h"
 #include "lib/core/file.h"
 #include "lib/core/parallel.h"
 #include "lib/perception/overlay.h"
@@ -23,8 +19,7 @@ namespace {
 // A page of sixty pictures stays below some 6 MB.
 constexpr std::size_t kMaxPictures = 60;
 constexpr int kOverlayWidthPx = 560;
-constexpr int kMaskWidthPx = 160;
-constexpr int kJpegQuality = 82;
+constexpr int kSmallWidthPx = 280;
 
 constexpr std::array<std::pair<const char*, const char*>, 9> kShownMetadata = {{
     {"hc.name", "Name"},
@@ -38,29 +33,6 @@ constexpr std::array<std::pair<const char*, const char*>, 9> kShownMetadata = {{
     {"hc.licence", "Licence"},
 }};
 
-// A BGR picture as JPEG, shrunk to at most max_width_px.
-std::vector<std::uint8_t> EncodeJpeg(const Image& image, int max_width_px) {
-  HC_CHECK(image.channels() == 3, image.channels());
-  // OpenCV takes no const pixels; it only reads these.
-  const cv::Mat full(
-      image.height(), image.width(), CV_8UC3, const_cast<std::uint8_t*>(image.Row(0)));
-  cv::Mat shown = full;
-  if (image.width() > max_width_px) {
-    const double scale = static_cast<double>(max_width_px) / image.width();
-    cv::resize(full,
-               shown,
-               cv::Size(max_width_px, std::max(1, cvRound(scale * image.height()))),
-               0.0,
-               0.0,
-               cv::INTER_AREA);
-  }
-  std::vector<std::uint8_t> bytes;
-  const bool is_encoded =
-      cv::imencode(".jpg", shown, bytes, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
-  HC_CHECK(is_encoded, image.width(), image.height());
-  return bytes;
-}
-
 ReportPicture MakePicture(const ImageScore& score,
                           const datasets::LabelledImageSet& set,
                           const hc_model* model) {
@@ -72,6 +44,7 @@ ReportPicture MakePicture(const ImageScore& score,
   for (const BestPixel& pixel : score.best) {
     points.push_back({pixel.u_px, pixel.v_px, pixel.probability});
   }
+  const Image close_up = DrawCloseUp(picture.image, score.best);
   return {.name = item.image,
           .object_class = item.object_class,
           .best = CountBestPixels(score),
@@ -79,7 +52,9 @@ ReportPicture MakePicture(const ImageScore& score,
               EncodeJpeg(perception::DrawGraspPoints(picture.image, scores.probabilities, points),
                          kOverlayWidthPx),
           .mask_jpeg =
-              EncodeJpeg(perception::DrawLabelMask(picture.image, picture.mask), kMaskWidthPx)};
+              EncodeJpeg(perception::DrawLabelMask(picture.image, picture.mask), kSmallWidthPx),
+          .close_up_jpeg =
+              close_up.empty() ? std::vector<std::uint8_t>() : EncodeJpeg(close_up, kSmallWidthPx)};
 }
 
 std::vector<ReportPicture> MakePictures(const GraspPointEvaluation& evaluation,

@@ -56,17 +56,20 @@ inline constexpr std::string_view kPlotsTemplate = R"html(<h2>Pixel by pixel</h2
 )html";
 
 inline constexpr std::string_view kGalleryTemplate = R"html(<h2>Image by image</h2>
-<p class="note">Warm: the probability of a grasp point. Circles: the best pixels, best first. Small: the labels, green good, blue don’t care.{shown}</p>
+<p class="note">Large: the probability of a grasp point, warm, and the best pixels, numbered. Small, left: the labels, green good, blue don’t care. Right: around the best pixel, each best pixel ringed green on good, red on bad, blue on don’t-care ground.{shown}</p>
 <div class="gallery">
 {cards}</div>
 )html";
 
 inline constexpr std::string_view kPictureTemplate = R"html(<figure class="card">
 <img class="overlay" alt="Probability map and best pixels of {name}" src="{overlay}">
-<figcaption class="below"><img class="mask" alt="Labels of {name}" src="{mask}">
-<span class="words"><strong>{name}</strong><br>{class}<br>{verdict}</span></figcaption>
+<div class="pair"><img alt="Labels of {name}" src="{mask}">{close_up}</div>
+<figcaption><strong>{name}</strong> · {class}<br>{verdict}</figcaption>
 </figure>
 )html";
+
+inline constexpr std::string_view kCloseUpTemplate =
+    R"html(<img alt="Close-up of the best pixels of {name}" src="{close_up}">)html";
 
 inline constexpr std::string_view kModelTemplate = R"html(<h2>The model</h2>
 <dl>
@@ -77,7 +80,7 @@ inline constexpr std::string_view kMethodTemplate = R"html(<h2>How it was measur
 <dl>
 <dt>Best-pixel accuracy</dt><dd>In each image the up to {best_pixels} pixels of highest probability, each above {min_probability}{suppression}, over the whole image. Those on good ground, out of those on good or bad ground, all images together. An image with fewer such pixels counts with those it has.</dd>
 <dt>Pixel figures</dt><dd>Up to {half} good and as many bad pixels drawn from each image. A pixel is called good above probability {threshold}.</dd>
-<dt>Intervals</dt><dd>95 %, percentile bootstrap over images, {resamples} resamples: pixels of one image are alike, images are what varies.</dd>
+<dt>Intervals</dt><dd>95 %, percentile bootstrap over images, {resamples} resamples: pixels of one image are alike, images are what varies. Where all images agree on 0 % or 100 %, the Wilson interval for that many images; none for a single image.</dd>
 <dt>Seed</dt><dd>{seed}</dd>
 <dt>Data fingerprint</dt><dd><code>{fingerprint}</code></dd>
 </dl>

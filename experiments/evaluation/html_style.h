@@ -44,13 +44,15 @@ p { margin: .3rem 0 .9rem; max-width: 46rem; }
 table { border-collapse: collapse; width: 100%; font-size: .92rem; font-variant-numeric: tabular-nums; }
 th { font-weight: 600; text-align: left; color: var(--quiet); font-size: .82rem; vertical-align: bottom; }
 th, td { padding: .5rem .7rem; border-bottom: 1px solid var(--line); white-space: nowrap; }
+td { vertical-align: top; }
 td.number, th.number { text-align: right; }
 td .range { display: block; color: var(--quiet); font-size: .82rem; }
 tbody th { color: var(--ink); font-size: .92rem; vertical-align: top; overflow-wrap: anywhere; white-space: normal; }
 tr.total th, tr.total td { font-weight: 650; border-top: 2px solid var(--line); }
 tr.total td .range { font-weight: 400; }
-.plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(21rem, 1fr)); gap: 1rem; margin-top: .8rem; }
-.plots .card { padding: 1rem 1.1rem; margin: 0; }
+.plots { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 1rem; margin-top: .8rem; }
+.plots .card, .wide { padding: 1rem 1.1rem; margin: 0; }
+.wide { margin-top: 1rem; }
 .card figcaption, .card .caption { color: var(--quiet); font-size: .85rem; margin: .4rem 0 0; }
 svg.figure { display: block; width: 100%; height: auto; }
 svg .ink { fill: var(--ink); } svg .quiet { fill: var(--quiet); }
@@ -60,16 +62,16 @@ svg .line.first { stroke: var(--first); } svg .line.second { stroke: var(--secon
 .confusion { table-layout: fixed; }
 .confusion th { color: var(--quiet); font-weight: 500; border: 0; white-space: normal; text-align: center; vertical-align: middle; font-size: .85rem; }
 .confusion th.side { text-align: right; }
-.confusion td { border: 3px solid var(--card); border-radius: 8px; text-align: center; padding: 1.1rem .3rem; white-space: normal; }
+.confusion td { border: 3px solid var(--card); border-radius: 8px; text-align: center; vertical-align: middle; padding: 2.1rem .3rem; white-space: normal; }
 .confusion .count { display: block; font-size: 1.3rem; font-weight: 600; }
 .confusion .share { display: block; font-size: .85rem; }
 .gallery { display: grid; grid-template-columns: repeat(auto-fill, minmax(19rem, 1fr)); gap: 1.1rem; margin-top: .8rem; }
 .gallery .card { margin: 0; overflow: hidden; }
-.gallery .overlay { display: block; width: 100%; height: auto; background: #000; }
-.gallery .below { display: flex; gap: .8rem; padding: .7rem .8rem .8rem; align-items: flex-start; }
-.gallery .mask { flex: none; width: 6.2rem; height: auto; border-radius: 5px; }
-.gallery .words { min-width: 0; font-size: .85rem; line-height: 1.45; overflow-wrap: anywhere; color: var(--quiet); }
-.gallery .words strong { color: var(--ink); font-weight: 600; }
+.gallery .overlay { display: block; width: 100%; height: auto; }
+.gallery .pair { display: grid; grid-template-columns: 1fr 1fr; gap: 2px; margin-top: 2px; }
+.gallery .pair img { display: block; width: 100%; height: auto; }
+.gallery figcaption { margin: 0; padding: .65rem .8rem .75rem; font-size: .85rem; line-height: 1.45; color: var(--quiet); overflow-wrap: anywhere; }
+.gallery strong { color: var(--ink); font-weight: 600; }
 .good { color: var(--first); font-weight: 600; } .bad { color: var(--second); font-weight: 600; }
 .key { display: inline-block; width: .75em; height: .75em; border-radius: 2px; margin-right: .35em; vertical-align: -.03em; }
 .key.first { background: var(--first); } .key.second { background: var(--second); }

@@ -63,7 +63,7 @@ std::string PercentText(double share) {
 }
 
 std::string PercentIntervalText(const Estimate& estimate) {
-  if (std::isnan(estimate.low) || std::isnan(estimate.high)) return "–";
+  if (std::isnan(estimate.low) || std::isnan(estimate.high)) return "";
   return fmt::format("[{:.1f}, {:.1f}] %", 100.0 * estimate.low, 100.0 * estimate.high);
 }
 
@@ -72,7 +72,7 @@ std::string DecimalText(double value, int digits) {
 }
 
 std::string DecimalIntervalText(const Estimate& estimate, int digits) {
-  if (std::isnan(estimate.low) || std::isnan(estimate.high)) return "–";
+  if (std::isnan(estimate.low) || std::isnan(estimate.high)) return "";
   return fmt::format("[{:.{}f}, {:.{}f}]", estimate.low, digits, estimate.high, digits);
 }
 

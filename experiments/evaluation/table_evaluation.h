@@ -23,8 +23,7 @@ struct TableEvaluationOptions {
   void Validate() const;
 };
 
-/// Figures of a logistic model on a table. Positive is the second label: the greater number, or the
-/// later word.
+/// Figures of a logistic model on a table. Positive is the model's label 1.
 struct TableEvaluation {
   TableEvaluationOptions options;
   std::size_t num_rows = 0;
@@ -39,9 +38,11 @@ struct TableEvaluation {
   std::vector<RocPoint> roc;
 };
 
-/// Scores every row with the runtime (hc_predict_row). `path` is named in errors. Throws
-/// Error(kBadInput) when the model is no logistic one, the table has no rows, no labels, or a
-/// number of columns other than the model's; and what datasets::ToBinaryLabels throws.
+/// Scores every row with the runtime (hc_predict_row). The table holds the model's columns in the
+/// model's order (ReadTableFor); `path` is named in errors. Throws Error when the model is no
+/// logistic one, or the table has no rows, no labels, or a label the model does not know; and
+/// std::logic_error on another number of columns. A table with one label alone is fine: what needs
+/// both is NaN.
 [[nodiscard]] TableEvaluation EvaluateTable(const hc_model* model,
                                             const datasets::Table& table,
                                             const std::filesystem::path& path,

@@ -243,6 +243,7 @@ Estimate BootstrapOverGroups(std::size_t num_groups,
   if (num_groups == 0) return {kNaN, kNaN, kNaN};
   std::vector<std::size_t> all(num_groups);
   std::iota(all.begin(), all.end(), std::size_t{0});
+  if (num_groups == 1) return {statistic(all), kNaN, kNaN};
   std::vector<double> results(num_resamples);
   ParallelFor(num_resamples, num_threads, [&](std::size_t resample) {
     Rng rng = Rng::Stream(seed, "bootstrap", resample);

@@ -81,7 +81,8 @@ struct RocPoint {
 /// Percentile bootstrap over groups (images): `statistic` maps a resampled list of num_groups group
 /// indices to a number. The value is the statistic of all groups; the interval runs from the 2.5th
 /// to the 97.5th percentile of the resamples (linear interpolation), NaN results left out.
-/// Everything is NaN without groups; the interval is when no resample gives a number.
+/// Everything is NaN without groups; the interval is with one group (nothing varies) or when no
+/// resample gives a number.
 ///
 /// Resample r draws from a random stream of its own, (seed, r), so the result does not depend on
 /// num_threads; with more than one, `statistic` is called from several threads at once.

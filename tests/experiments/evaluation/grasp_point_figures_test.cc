@@ -95,6 +95,27 @@ TEST(ComputeGroupFigures, PutsValuesInsideTheirIntervals) {
   }
 }
 
+TEST(ComputeGroupFigures, ClaimsNoCertaintyFromAFewImagesThatAgree) {
+  std::vector<ImageScore> images(4);
+  for (std::size_t i = 0; i < 3; ++i) images[i].best = {{0, 0, 0.95F, 255}, {1, 0, 0.95F, 255}};
+  const GroupFigures figures = ComputeGroupFigures("all", PointersTo(images), {});
+  // Three images count, the fourth has no best pixel.
+  const Estimate wilson = WilsonInterval(3, 3);
+  EXPECT_EQ(figures.best_pixel_accuracy.value, 1.0);
+  EXPECT_EQ(figures.best_pixel_accuracy.low, wilson.low);
+  EXPECT_EQ(figures.best_pixel_accuracy.high, 1.0);
+  EXPECT_EQ(figures.num_images_without_best, 1U);
+}
+
+TEST(ComputeGroupFigures, HasNoIntervalForOneImage) {
+  const auto hand = testing::MakeHandFilledEvaluation();
+  const ImageScore* only = hand.evaluation.images.data();
+  const GroupFigures figures = ComputeGroupFigures("all", {&only, 1}, {});
+  EXPECT_DOUBLE_EQ(figures.best_pixel_accuracy.value, 2.0 / 3.0);
+  EXPECT_TRUE(std::isnan(figures.best_pixel_accuracy.low));
+  EXPECT_TRUE(std::isnan(figures.auc.high));
+}
+
 TEST(ComputeGroupFigures, DoesNotDependOnThreads) {
   const std::vector<ImageScore> images = RandomImages(2);
   const GroupFigures one = ComputeGroupFigures("all", PointersTo(images), {.num_threads = 1});

@@ -18,9 +18,9 @@ ReportContents MakeContents() {
   ReportContents contents{.model_name = "edges54 <b>",
                           .data_name = "cups & pens",
                           .model_facts = {{"Licence", "BSD & <i>free</i>"}}};
-  contents.pictures = {{"cup/1.png", "cup", {2, 1, 0}, {'f'}, {'o'}},
-                       {"<script>", "pen", {0, 0, 1}, {'f'}, {'o'}},
-                       {"none.png", "pen", {0, 0, 0}, {'f'}, {'o'}}};
+  contents.pictures = {{"cup/1.png", "cup", {2, 1, 0}, {'f'}, {'o'}, {'x'}},
+                       {"<script>", "pen", {0, 0, 1}, {'f'}, {'o'}, {'x'}},
+                       {"none.png", "pen", {0, 0, 0}, {'f'}, {'o'}, {}}};
   return contents;
 }
 
@@ -37,6 +37,8 @@ TEST(MakeGraspPointPage, ShowsFiguresAndPictures) {
   EXPECT_THAT(page, HasSubstr("1 on don’t-care ground"));
   EXPECT_THAT(page, HasSubstr("no pixel above 0.9"));
   EXPECT_THAT(page, HasSubstr("src=\"data:image/jpeg;base64,Zg==\""));
+  EXPECT_THAT(page, HasSubstr("Close-up of the best pixels of cup/1.png"));
+  EXPECT_THAT(page, Not(HasSubstr("Close-up of the best pixels of none.png")));
   EXPECT_THAT(page, Not(HasSubstr("Shown are")));
 }
 

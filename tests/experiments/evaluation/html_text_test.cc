@@ -48,11 +48,11 @@ TEST(NumberTexts, RoundAndMarkWhatIsUndefined) {
   EXPECT_EQ(PercentText(0.81251), "81.3 %");
   EXPECT_EQ(PercentText(kNaN), "–");
   EXPECT_EQ(PercentIntervalText({0.8, 0.72, 0.881}), "[72.0, 88.1] %");
-  EXPECT_EQ(PercentIntervalText({0.8, kNaN, 0.9}), "–");
+  EXPECT_EQ(PercentIntervalText({0.8, kNaN, 0.9}), "");
   EXPECT_EQ(DecimalText(0.95678, 3), "0.957");
   EXPECT_EQ(DecimalText(kNaN, 3), "–");
   EXPECT_EQ(DecimalIntervalText({0.9, 0.85, 0.95}, 2), "[0.85, 0.95]");
-  EXPECT_EQ(DecimalIntervalText({0.9, 0.85, kNaN}, 2), "–");
+  EXPECT_EQ(DecimalIntervalText({0.9, 0.85, kNaN}, 2), "");
 }
 
 TEST(MakeHtmlPage, IsWholeAndNeedsNothingFromOutside) {

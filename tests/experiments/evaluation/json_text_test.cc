@@ -12,7 +12,6 @@
 namespace handcraft::experiments {
 namespace {
 
-
 TEST(JsonText, KeepsTheOrderOfKeysAndEndsTheLine) {
   nlohmann::ordered_json json;
   json["z"] = 1;

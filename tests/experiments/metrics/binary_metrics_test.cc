@@ -285,7 +285,8 @@ TEST(BootstrapOverGroups, LeavesOutResamplesWithoutAResult) {
 }
 
 TEST(BootstrapOverGroups, OneGroupNoGroupNoResample) {
-  EXPECT_EQ(BootstrapOverGroups(1, MeanIndex, 100, 1).high, 0.0);
+  EXPECT_EQ(BootstrapOverGroups(1, MeanIndex, 100, 1).value, 0.0);
+  EXPECT_TRUE(std::isnan(BootstrapOverGroups(1, MeanIndex, 100, 1).high));
   EXPECT_TRUE(std::isnan(BootstrapOverGroups(0, MeanIndex, 100, 1).value));
   const Estimate no_resample = BootstrapOverGroups(3, MeanIndex, 0, 1);
   EXPECT_EQ(no_resample.value, 1.0);

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+
+#include "lib/core/error.h"
+#include "lib/core/fields.h"
+
+namespace handcraft::experiments {
+
+/// Throws Error(kUsage) "Struct.field is value, but must be rule" unless `holds`.
+template <class T>
+void RequireOption(bool holds, const std::string& field, T value, const std::string& rule) {
+  if (holds) return;
+  throw Error({.kind = Error::Kind::kUsage,
+               .reason = field + " is " + NumberToText(value) + ", but must be " + rule});
+}
+
+}  // namespace handcraft::experiments
