@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The energies of one row of pixels: part of pixel_kernels.cc, compiled once for each instruction
-// set. Filters that share a factor are computed from shared intermediate rows:
-//   first the vertical halves of all separable kernels (a scratch row each, columns −kReach …),
-//   then, filter by filter, the horizontal half and the square.
-// The masks are those of filter_bank.cc; tests hold the two against each other.
+// The energies of one row of pixels, compiled once for each instruction set: first the vertical
+// halves of all separable kernels, a scratch row each, shared by filters with a common factor; then,
+// filter by filter, the horizontal half and the square. Masks as in filter_bank.cc: tests compare.
 
 #if defined(HANDCRAFT_FILTER_ROW_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HANDCRAFT_FILTER_ROW_INL_H_
@@ -24,7 +22,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace handcraft::features::internal {
 namespace HWY_NAMESPACE {
-// Columns of scratch rows left and right of the energies: the reach of the 7-wide kernels, and one.
+// Scratch columns left and right of the energies: the reach of the 7-wide kernels, and one.
 constexpr int kReach = 4;
 
 enum ScratchRow : int {
@@ -85,9 +83,8 @@ HWY_INLINE void LawsColumns(const FilterRowJob& job) {
   }
 }
 
-// The 30° mask M = even + odd in the column: its columns ±1, ±2 hold Q, B5 with opposite signs
-// (odd) and its columns 0, ±1 the even rest. The 60° mask is −Mᵀ. Weights are hundredths, over
-// 2000.
+// The 30° mask M: columns ±1, ±2 hold Q, B5 with opposite signs (odd), columns 0, ±1 the even rest;
+// the 60° mask is −Mᵀ. Weights are hundredths, over 2000.
 HWY_INLINE void EdgeColumns(const FilterRowJob& job) {
   const Floats scale = Constant(0.05F);
   for (std::ptrdiff_t i = 0; i < job.count + 2 * kReach; i += NumLanes()) {
