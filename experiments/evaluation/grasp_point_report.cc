@@ -21,16 +21,22 @@ constexpr std::size_t kMaxPictures = 60;
 constexpr int kOverlayWidthPx = 560;
 constexpr int kSmallWidthPx = 280;
 
-constexpr std::array<std::pair<const char*, const char*>, 9> kShownMetadata = {{
+// Metadata keys of docs/model_format.md, in the order they are shown; those a model lacks are not.
+constexpr std::array<std::pair<const char*, const char*>, 14> kShownMetadata = {{
     {"hc.name", "Name"},
     {"hc.version", "Version"},
     {"hc.task", "Task"},
     {"hc.features", "Features"},
     {"hc.training.algorithm", "Trained by"},
+    {"hc.training.irls.ridge", "Ridge"},
+    {"hc.training.class_counts", "Samples"},
+    {"hc.training.split", "Split"},
+    {"hc.training.sampling.seed", "Training seed"},
     {"hc.training.data_fingerprint", "Training data"},
     {"hc.intended_use", "Intended use"},
     {"hc.limits", "Limits"},
     {"hc.licence", "Licence"},
+    {"hc.tool", "Made by"},
 }};
 
 ReportPicture MakePicture(const ImageScore& score,

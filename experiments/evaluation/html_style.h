@@ -47,12 +47,13 @@ th, td { padding: .5rem .7rem; border-bottom: 1px solid var(--line); white-space
 td { vertical-align: top; }
 td.number, th.number { text-align: right; }
 td .range { display: block; color: var(--quiet); font-size: .82rem; }
-tbody th { color: var(--ink); font-size: .92rem; vertical-align: top; overflow-wrap: anywhere; white-space: normal; }
+tbody th { color: var(--ink); font-size: .92rem; vertical-align: top; overflow-wrap: break-word; white-space: normal; }
 tr.total th, tr.total td { font-weight: 650; border-top: 2px solid var(--line); }
 tr.total td .range { font-weight: 400; }
 .plots { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 1rem; margin-top: .8rem; }
 .plots .card, .wide { padding: 1rem 1.1rem; margin: 0; }
-.wide { margin-top: 1rem; }
+.wide { margin-top: 1rem; overflow-x: auto; }
+.wide svg { min-width: 38rem; }
 .card figcaption, .card .caption { color: var(--quiet); font-size: .85rem; margin: .4rem 0 0; }
 svg.figure { display: block; width: 100%; height: auto; }
 svg .ink { fill: var(--ink); } svg .quiet { fill: var(--quiet); }
@@ -75,7 +76,7 @@ svg .line.first { stroke: var(--first); } svg .line.second { stroke: var(--secon
 .good { color: var(--first); font-weight: 600; } .bad { color: var(--second); font-weight: 600; }
 .key { display: inline-block; width: .75em; height: .75em; border-radius: 2px; margin-right: .35em; vertical-align: -.03em; }
 .key.first { background: var(--first); } .key.second { background: var(--second); }
-dl { display: grid; grid-template-columns: max-content minmax(0, 1fr); gap: .35rem 1.4rem; margin: .8rem 0 0; font-size: .92rem; }
+dl { display: grid; grid-template-columns: 10.5rem minmax(0, 1fr); gap: .35rem 1.4rem; margin: .8rem 0 0; font-size: .92rem; }
 dt { color: var(--quiet); }
 dd { margin: 0; overflow-wrap: anywhere; }
 code { font-family: ui-monospace, "SFMono-Regular", Menlo, Consolas, "DejaVu Sans Mono", monospace; font-size: .88em; }
