@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The energies of one row of pixels, compiled once for each instruction set: first the vertical
-// halves of all separable kernels, a scratch row each, shared by filters with a common factor; then,
-// filter by filter, the horizontal half and the square. Masks as in filter_bank.cc: tests compare.
+// halves of all separable kernels, a scratch row each, shared by filters with a common factor;
+// next, filter by filter, the horizontal half and the square. Masks: filter_bank.cc; tests compare.
 
 #if defined(HANDCRAFT_FILTER_ROW_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HANDCRAFT_FILTER_ROW_INL_H_
