@@ -31,14 +31,15 @@ enum class HessianPrecision { kAuto, kSingle, kDouble };
 struct Options {
   double ridge =
       0.0;  ///< λ ≥ 0 in deviance/2 + λ/2·‖w‖², w on standardised features, intercept free
-  int max_iterations = 100;          ///< Newton steps on all samples, ≥ 1
+  int max_iterations = 100;          ///< steps in all, ≥ 1
   double gradient_tolerance = 1e-9;  ///< ‖∇‖∞ / num_samples ≤ this (standardised features)
   double relative_deviance_tolerance = 1e-12;  ///< |D − D_previous| ≤ this · (|D| + 0.1)
   HessianPrecision hessian_precision = HessianPrecision::kAuto;
-  double warm_start_share = 0.1;  ///< first optimise on this share of the samples; 0: never
+  double warm_start_share = 0.1;  ///< first steps take their Hessian from this share of the samples
+                                  ///< (gradients are always of all); 0: never
   bool standard_errors = true;
   int num_threads = 1;     ///< ≥ 1; does not change a bit of the result
-  std::uint64_t seed = 1;  ///< picks the warm start's samples
+  std::uint64_t seed = 1;  ///< draws the warm start's samples
   Progress progress = {};
 
   /// Throws Error(kUsage) naming field, value and rule.
@@ -59,7 +60,7 @@ enum class Termination {
   kNotRun,
   kConverged,
   kIterationLimit,
-  kSeparated,         ///< the classes can be told apart by a plane: weights would grow for ever
+  kSeparated,         ///< completely or quasi-completely: some weights would grow for ever
   kRankDeficient,     ///< some features are linear combinations of others (listed); ridge is 0
   kNumericalFailure,  ///< no step lowers the deviance any more, far from the optimum
 };
@@ -68,8 +69,8 @@ enum class Termination {
 struct Summary {
   Termination termination = Termination::kNotRun;
   std::string message = "TrainLogistic was not called";
-  int iterations = 0;  ///< Newton steps on all samples
-  int warm_start_iterations = 0;
+  int iterations = 0;             ///< steps taken, gradients always of all samples
+  int warm_start_iterations = 0;  ///< how many of them with a Hessian from a share of the samples
   int step_halvings = 0;
   bool fell_back_to_double = false;
   double deviance = 0.0;              ///< −2 log-likelihood
@@ -87,7 +88,8 @@ struct Summary {
 struct Result {
   std::vector<double> weights;
   double intercept = 0.0;
-  std::vector<double> standard_errors;  ///< of weights; empty when not asked for or singular
+  std::vector<double> standard_errors;  ///< of weights; NaN where aliased; empty when not asked
+                                        ///< for, or when there is no optimum to take them at
   double intercept_standard_error = 0.0;
   std::vector<double> feature_mean;   ///< the standardisation that is folded in
   std::vector<double> feature_scale;  ///< standard deviation; 1 for a constant feature

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "trainers/logistic_irls/single_threaded_blas.h"
+
+#include <gtest/gtest.h>
+
+namespace handcraft::logistic {
+namespace {
+
+TEST(SingleThreadedBlas, HoldsBlasToOneThreadAndRestores) {
+  const int before = SingleThreadedBlas::NumThreads();
+  EXPECT_GE(before, 1);
+  {
+    const SingleThreadedBlas outer;
+    EXPECT_EQ(SingleThreadedBlas::NumThreads(), 1);
+    {
+      const SingleThreadedBlas inner;
+      EXPECT_EQ(SingleThreadedBlas::NumThreads(), 1);
+    }
+    EXPECT_EQ(SingleThreadedBlas::NumThreads(), 1);
+  }
+  EXPECT_EQ(SingleThreadedBlas::NumThreads(), before);
+}
+
+}  // namespace
+}  // namespace handcraft::logistic
