@@ -31,3 +31,11 @@ if(HANDCRAFT_SANITIZE)
     -fsanitize=${HANDCRAFT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(handcraft_build_options INTERFACE -fsanitize=${HANDCRAFT_SANITIZE})
 endif()
+
+# Every library is instrumented for libFuzzer; the targets are in tests/fuzz.
+if(HANDCRAFT_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "HANDCRAFT_FUZZ needs clang: configure with the preset fuzz")
+  endif()
+  target_compile_options(handcraft_build_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()

@@ -136,9 +136,16 @@ bool HeaderCursor::ReadInteger(std::uint64_t& value) noexcept {
 
 bool HeaderCursor::ExpectPaddingToEnd() noexcept {
   if (Failed()) return false;
+  const std::uint64_t start = Offset();
   while (TakeIf(' ')) {
   }
-  return AtEnd() || FailExpecting("nothing but spaces");
+  if (!AtEnd()) return FailExpecting("nothing but spaces");
+  if (Offset() - start < format::kDataAlignment) return true;
+  return Fail(MakeError(HC_ERROR_FORMAT,
+                        start,
+                        "the header ends in %zu spaces where fewer than %zu were expected",
+                        static_cast<std::size_t>(Offset() - start),
+                        format::kDataAlignment));
 }
 
 }  // namespace handcraft::runtime

@@ -33,7 +33,7 @@ class HeaderCursor {
   bool ReadString(std::size_t max_bytes, std::string& value);
   /// A whole number from 0 to 2^53, without sign, fraction, exponent or leading zero.
   bool ReadInteger(std::uint64_t& value) noexcept;
-  /// Steps over the spaces that pad the header; nothing else may follow.
+  /// Steps over the spaces that pad the header, fewer than 64; nothing else may follow.
   bool ExpectPaddingToEnd() noexcept;
 
   /// The place of the next byte in the file.

@@ -50,6 +50,7 @@ TEST(MakeLogisticModel, WritesMoreColumnsThanTextWouldHold) {
   LinearModel linear;
   linear.weights.assign(7500, 1e-3);
   std::vector<std::string> names;
+  names.reserve(7500);
   for (int i = 0; i < 7500; ++i) names.push_back("a long column name " + std::to_string(i));
   const ModelFile model =
       Parse(Serialise(MakeLogisticModel(names, "label", "0", "1", linear, Provenance{})), "m");

@@ -56,7 +56,8 @@ TEST(LoadGraspPointScorer, KeepsTheSpecification) {
 TEST(LoadGraspPointScorer, RefusesEachMissingTensor) {
   const ModelFile whole = testing::SomeGraspPointModel("edges54");
   EXPECT_EQ(whole.tensors.size(), 12U);
-  for (const auto& [name, tensor] : whole.tensors) {
+  for (const auto& entry : whole.tensors) {
+    const std::string& name = entry.first;
     ExpectRefused([&](ModelFile& model) { model.tensors.erase(name); },
                   "the tensor '" + name + "' ");
   }
@@ -64,9 +65,10 @@ TEST(LoadGraspPointScorer, RefusesEachMissingTensor) {
 
 TEST(LoadGraspPointScorer, RefusesEachTensorOfAnotherShape) {
   const ModelFile whole = testing::SomeGraspPointModel("edges54");
-  for (const auto& [name, tensor] : whole.tensors) {
+  for (const auto& entry : whole.tensors) {
+    const std::string& name = entry.first;
     std::int64_t size = 1;
-    for (const std::int64_t dimension : tensor.shape) size *= dimension;
+    for (const std::int64_t dimension : entry.second.shape) size *= dimension;
     ExpectRefused(
         [&](ModelFile& model) {
           auto& shape = model.tensors[name].shape;
@@ -88,7 +90,7 @@ TEST(LoadGraspPointScorer, RefusesUnknownTensorsUnlessTheyAreExtensions) {
 
 TEST(LoadGraspPointScorer, RefusesNumbersOutOfRange) {
   using Ints = std::vector<std::int32_t>;
-  const auto set = [](const std::string& name, Ints values) {
+  const auto set = [](const std::string& name, const Ints& values) {
     return [=](ModelFile& model) { ValuesOf<std::int32_t>(model, name) = values; };
   };
   ExpectRefused(set("filter_ids", {9, 10, 11, 12, 13, 22}),

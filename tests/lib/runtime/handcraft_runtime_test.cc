@@ -224,7 +224,7 @@ TEST(ScoreImage, ReadsStridesAndFormats) {
   std::vector<float> found(40 * 17, -1.0F);
   ASSERT_EQ(hc_score_image(model.get(), workspace.get(), &rgb, found.data(), 40), HC_OK);
   for (std::size_t v = 0; v < 17; ++v) {
-    EXPECT_EQ(std::memcmp(&found[40 * v], &expected[31 * v], 31 * 4), 0) << v;
+    EXPECT_TRUE(std::equal(&expected[31 * v], &expected[31 * v] + 31, &found[40 * v])) << v;
     EXPECT_EQ(found[40 * v + 31], -1.0F) << "wrote behind a row";
   }
 }

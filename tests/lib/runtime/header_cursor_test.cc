@@ -146,6 +146,15 @@ TEST(HeaderCursor, AllowsOnlySpacesAsPadding) {
   }
 }
 
+TEST(HeaderCursor, AllowsNoMorePaddingThanAlignmentTakes) {
+  const std::string spaces(64, ' ');
+  HeaderCursor fits = CursorOver(std::string_view(spaces).substr(1));
+  EXPECT_TRUE(fits.ExpectPaddingToEnd());
+  HeaderCursor cursor = CursorOver(spaces);
+  EXPECT_FALSE(cursor.ExpectPaddingToEnd());
+  ExpectError(cursor, kOffset, "ends in 64 spaces where fewer than 64 were expected");
+}
+
 // Examples of RFC 3629 and of "UTF-8 decoder capability and stress test" (M. Kuhn).
 TEST(IsUtf8, TellsGoodFromBad) {
   for (const std::string_view good : {"",

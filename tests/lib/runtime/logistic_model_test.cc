@@ -69,7 +69,8 @@ TEST(LoadLogisticModel, KeepsTheNumbers) {
 TEST(LoadLogisticModel, RefusesEachMissingTensor) {
   const ModelFile whole = testing::SomeLogisticModel();
   EXPECT_EQ(whole.tensors.size(), 8U);
-  for (const auto& [name, tensor] : whole.tensors) {
+  for (const auto& entry : whole.tensors) {
+    const std::string& name = entry.first;
     ExpectRefused([&](ModelFile& model) { model.tensors.erase(name); },
                   "the tensor '" + name + "' ");
   }

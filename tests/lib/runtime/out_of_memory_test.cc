@@ -27,14 +27,20 @@ void* Allocate(std::size_t size, std::size_t alignment) {
 
 }  // namespace
 
-void* operator new(std::size_t size) { return Allocate(size, alignof(std::max_align_t)); }
-void* operator new(std::size_t size, std::align_val_t alignment) {
+// Not inlined: the compiler would take the pair of new and free for a mistake.
+#define HANDCRAFT_APART __attribute__((noinline))
+HANDCRAFT_APART void* operator new(std::size_t size) {
+  return Allocate(size, alignof(std::max_align_t));
+}
+HANDCRAFT_APART void* operator new(std::size_t size, std::align_val_t alignment) {
   return Allocate(size, static_cast<std::size_t>(alignment));
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+HANDCRAFT_APART void operator delete(void* memory) noexcept { std::free(memory); }
+HANDCRAFT_APART void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+HANDCRAFT_APART void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+HANDCRAFT_APART void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
+}
 
 namespace handcraft {
 namespace {
