@@ -81,8 +81,28 @@ class TileBests {
     });
   }
 
+  // The points whose squares reach into the tile, copied to `near`; all if they are too many.
+  [[nodiscard]] std::span<const hc_point> PointsNear(std::int32_t column,
+                                                     std::int32_t row,
+                                                     std::span<const hc_point> taken,
+                                                     std::span<hc_point> near) const noexcept {
+    const std::int64_t u_begin = std::int64_t{column} * tile_width_ - radius_px_;
+    const std::int64_t v_begin = std::int64_t{row} * tile_height_ - radius_px_;
+    const std::int64_t u_end = u_begin + tile_width_ + 2 * std::int64_t{radius_px_};
+    const std::int64_t v_end = v_begin + tile_height_ + 2 * std::int64_t{radius_px_};
+    std::size_t count = 0;
+    for (const hc_point& point : taken) {
+      if (point.u < u_begin || point.u >= u_end || point.v < v_begin || point.v >= v_end) continue;
+      if (count == near.size()) return taken;
+      near[count++] = point;
+    }
+    return near.first(count);
+  }
+
   // Row by row with a strict comparison, so that the first of equals wins.
   void Rescan(std::int32_t column, std::int32_t row, std::span<const hc_point> taken) noexcept {
+    std::array<hc_point, 64> buffer;
+    const std::span<const hc_point> near = PointsNear(column, row, taken, buffer);
     const std::int32_t u_begin = column * tile_width_;
     const std::int32_t u_end = std::min(u_begin + tile_width_, map_.width);
     const std::int32_t v_end = std::min((row + 1) * tile_height_, map_.height);
@@ -91,7 +111,7 @@ class TileBests {
     for (std::int32_t v = row * tile_height_; v < v_end; ++v) {
       const float* values = map_.Row(v);
       for (std::int32_t u = u_begin; u < u_end; ++u) {
-        if (values[u] > best.probability && !IsSuppressed(u, v, taken)) best = {u, v, values[u]};
+        if (values[u] > best.probability && !IsSuppressed(u, v, near)) best = {u, v, values[u]};
       }
     }
     BestOf(column, row) = best;

@@ -33,8 +33,8 @@ struct ProbabilityMap {
 /// than radius_px away from it in the maximum norm, and so on. Exact.
 /// The picture is cut into at most 32 × 32 tiles whose best pixels are kept; a taken point makes
 /// only the tiles that its square touches look again. O(width · height) for the first pass, then
-/// per point O(tiles + pixels of the touched tiles), plus O(points taken) for each suppressed pixel
-/// that would have been a tile's best; O(width · height · k) at worst. Uses 12 KiB of stack.
+/// per point O(tiles) and, for each touched tile whose best pixel it suppresses, O(points taken +
+/// pixels of the tile · points taken near it). Uses 13 KiB of stack.
 [[nodiscard]] std::size_t FindBestApart(const ProbabilityMap& map,
                                         float min_probability,
                                         std::int32_t radius_px,

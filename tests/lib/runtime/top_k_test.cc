@@ -55,11 +55,12 @@ std::vector<Place> FindByDefinition(const ProbabilityMap& map,
   });
   std::vector<Place> taken;
   for (const Place& place : order) {
+    if (taken.size() == k) break;
     const bool suppressed = std::any_of(taken.begin(), taken.end(), [&](const Place& other) {
       return radius > 0 &&
              std::max(std::abs(other.u - place.u), std::abs(other.v - place.v)) <= radius;
     });
-    if (!suppressed && taken.size() < k) taken.push_back(place);
+    if (!suppressed) taken.push_back(place);
   }
   return taken;
 }
@@ -124,6 +125,13 @@ TEST(FindBestApart, TakesAPlateauInReadingOrder) {
   const std::vector<float> values(100 * 80, 1.0F);
   const ProbabilityMap map{values.data(), 100, 80, 100};
   EXPECT_EQ(Find(map, 0.0F, 3, 1000), FindByDefinition(map, 0.0F, 3, 1000));
+}
+
+// More points near a tile than are listed for it.
+TEST(FindBestApart, TakesAPlateauOfLargeTiles) {
+  const std::vector<float> values(1000 * 700, 1.0F);
+  const ProbabilityMap map{values.data(), 1000, 700, 1000};
+  EXPECT_EQ(Find(map, 0.0F, 1, 3000), FindByDefinition(map, 0.0F, 1, 3000));
 }
 
 TEST(FindBest, FindsNothingInNaN) {
