@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "datasets/formats/labelled_image_set.h"
+#include "lib/core/file.h"
+#include "tests/support/temporary_directory.h"
+#include "tests/tools/support/generated_data.h"
+#include "tests/tools/support/run.h"
+
+namespace handcraft::tools {
+namespace {
+
+using handcraft::testing::TemporaryDirectory;
+using ::testing::HasSubstr;
+using testing::NumEntries;
+using testing::Outcome;
+using testing::RunLine;
+using ::testing::StartsWith;
+
+constexpr const char* kTree = HANDCRAFT_SOURCE_DIR "/tests/data/cornell";
+
+class DataImport : public ::testing::Test {
+ protected:
+  [[nodiscard]] Outcome Import(const std::string& options = "") const {
+    return RunLine("data import cornell " + std::string(kTree) + " --out " + out_.string() + " " +
+                   options);
+  }
+
+  TemporaryDirectory folder_;
+  std::filesystem::path out_ = folder_ / "set";
+};
+
+TEST_F(DataImport, MakesASetThatPassesTheCheck) {
+  const Outcome outcome = Import("--split-gap 0");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, StartsWith("Wrote 6 images with masks to "));
+  EXPECT_EQ(RunLine("data check " + out_.string()).code, 0);
+}
+
+TEST_F(DataImport, TakesItsOptions) {
+  const auto json = nlohmann::json::parse(
+      Import("--json --max-images 3 --test-share 0.34 --split-gap 0 --instance-span 1 --licence "
+             "CC0-1.0")
+          .out);
+  EXPECT_EQ(json["num_images"], 3);
+  const datasets::LabelledImageSet set = datasets::ReadLabelledImageSet(out_);
+  EXPECT_EQ(json["fingerprint"], datasets::Fingerprint(set));
+  EXPECT_EQ(set.items.front().licence, "CC0-1.0");
+  EXPECT_EQ(set.Only("test").items.size(), 1U);
+}
+
+TEST_F(DataImport, ChangesTheMasksWithThePolicy) {
+  ASSERT_EQ(Import("--split-gap 0").code, 0);
+  const auto strict = ReadFile(out_ / datasets::ReadLabelledImageSet(out_).items[0].mask);
+  std::filesystem::remove_all(out_);
+  ASSERT_EQ(Import("--split-gap 0 --good-share 1 --dont-care-margin 0").code, 0);
+  EXPECT_NE(ReadFile(out_ / datasets::ReadLabelledImageSet(out_).items[0].mask), strict);
+  std::filesystem::remove_all(out_);
+  ASSERT_EQ(Import("--split-gap 0 --no-negative-rectangles").code, 0);
+}
+
+TEST_F(DataImport, RefusesAFolderThatIsNotEmpty) {
+  WriteFileAtomically(folder_ / "mine", "precious");
+  const Outcome outcome =
+      RunLine("data import cornell " + std::string(kTree) + " --out " + folder_.path().string());
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(ReadTextFile(folder_ / "mine"), "precious");
+  EXPECT_EQ(NumEntries(folder_.path()), 1U);
+}
+
+TEST_F(DataImport, LeavesNothingOnFailure) {
+  const Outcome outcome = RunLine("data import cornell no/such/tree --out " + out_.string());
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("no/such/tree"));
+  EXPECT_EQ(Import("--good-share 0").code, 2);
+  EXPECT_EQ(NumEntries(folder_.path()), 0U);
+}
+
+}  // namespace
+}  // namespace handcraft::tools

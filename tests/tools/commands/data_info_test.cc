@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "datasets/formats/labelled_image_set.h"
+#include "tests/support/temporary_directory.h"
+#include "tests/tools/support/generated_data.h"
+#include "tests/tools/support/run.h"
+
+namespace handcraft::tools {
+namespace {
+
+using handcraft::testing::TemporaryDirectory;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::RunArgs;
+
+TEST(DataInfo, CountsSplits) {
+  const TemporaryDirectory folder;
+  testing::WriteImageSet(folder / "set");
+  const Outcome outcome = RunArgs({"data", "info", (folder / "set").string()});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("split  images  instances  classes"),
+                    HasSubstr("test        2          2        2"),
+                    HasSubstr("train       4          4        2"),
+                    HasSubstr("licence      CC0-1.0"),
+                    HasSubstr("fingerprint  ")));
+}
+
+TEST(DataInfo, TellsMachinesTheSame) {
+  const TemporaryDirectory folder;
+  testing::WriteImageSet(folder / "set");
+  const auto json =
+      nlohmann::json::parse(RunArgs({"data", "info", (folder / "set").string(), "--json"}).out);
+  EXPECT_EQ(json["num_images"], 6);
+  EXPECT_EQ(json["fingerprint"],
+            datasets::Fingerprint(datasets::ReadLabelledImageSet(folder / "set")));
+  ASSERT_EQ(json["splits"].size(), 2U);
+  EXPECT_EQ(json["splits"][1]["name"], "train");
+  EXPECT_EQ(json["splits"][1]["num_pixels"], 4 * 64 * 48);
+  EXPECT_GT(json["splits"][1]["num_bad_pixels"], json["splits"][1]["num_good_pixels"]);
+}
+
+TEST(DataInfo, NamesAMissingFolder) {
+  const Outcome outcome = RunArgs({"data", "info", "no/such/folder"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err, HasSubstr("handcraft: error: no/such/folder"));
+}
+
+}  // namespace
+}  // namespace handcraft::tools

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "lib/core/file.h"
+#include "tests/support/temporary_directory.h"
+#include "tests/tools/support/generated_data.h"
+#include "tests/tools/support/run.h"
+
+namespace handcraft::tools {
+namespace {
+
+using handcraft::testing::TemporaryDirectory;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using testing::NumEntries;
+using testing::Outcome;
+using testing::RunLine;
+using ::testing::StartsWith;
+
+class EvaluateTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    testing::WriteImageSet(folder_ / "set");
+    testing::WriteTable(folder_ / "t.csv");
+    testing::TrainGraspPoints(folder_ / "set", folder_ / "grasp");
+    testing::TrainLogistic(folder_ / "t.csv", folder_ / "logistic");
+  }
+
+  // Runs `evaluate` on files of the folder; options follow.
+  [[nodiscard]] Outcome Evaluate(const std::string& model,
+                                 const std::string& data,
+                                 const std::string& options = "") const {
+    return RunLine("evaluate " + (folder_ / model).string() + " " + (folder_ / data).string() +
+                   " --resamples 50 " + options);
+  }
+
+  TemporaryDirectory folder_;
+};
+
+TEST_F(EvaluateTest, PrintsConfusionMatrixAndIntervals) {
+  const Outcome outcome = Evaluate("grasp", "set");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("on 2 images (split test), scored by the runtime"),
+                    HasSubstr("predicted good  predicted bad"),
+                    HasSubstr("95 % interval over images"),
+                    HasSubstr("area under the ROC curve"),
+                    HasSubstr("disc")));
+}
+
+TEST_F(EvaluateTest, WritesJsonAndHtmlBesideTheTable) {
+  const std::string json_file = (folder_ / "e.json").string();
+  const std::string html_file = (folder_ / "e.html").string();
+  const Outcome outcome = Evaluate("grasp", "set", "--json " + json_file + " --html " + html_file);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("predicted good"));
+  EXPECT_GT(nlohmann::json::parse(ReadTextFile(json_file))["auc"].get<double>(), 0.7);
+  EXPECT_THAT(ReadTextFile(html_file), StartsWith("<!DOCTYPE html>"));
+}
+
+TEST_F(EvaluateTest, PrintsNothingButJsonWhenAsked) {
+  const auto json = nlohmann::json::parse(Evaluate("grasp", "set", "--json").out);
+  EXPECT_EQ(json["num_images"], 2);
+}
+
+TEST_F(EvaluateTest, GivesTheSameJsonForAnyNumberOfThreads) {
+  EXPECT_EQ(Evaluate("grasp", "set", "--json --threads 1").out,
+            Evaluate("grasp", "set", "--json --threads 2").out);
+}
+
+TEST_F(EvaluateTest, TakesAllImagesWithoutSplit) {
+  const Outcome outcome = testing::RunArgs({"evaluate",
+                                            (folder_ / "grasp").string(),
+                                            (folder_ / "set").string(),
+                                            "--split",
+                                            "",
+                                            "--resamples",
+                                            "50"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("on 6 images (all)"));
+}
+
+TEST_F(EvaluateTest, MeasuresATable) {
+  const Outcome outcome = Evaluate("logistic", "t.csv");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("on 60 rows of"),
+                    HasSubstr("predicted yes  predicted no"),
+                    HasSubstr("log-loss")));
+  const auto json = nlohmann::json::parse(Evaluate("logistic", "t.csv", "--json").out);
+  EXPECT_EQ(json["num_rows"], 60);
+  EXPECT_GT(json["accuracy"].get<double>(), 0.6);
+}
+
+TEST_F(EvaluateTest, RefusesDataOfTheOtherKind) {
+  Outcome outcome = Evaluate("grasp", "t.csv");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("a grasp-point model is evaluated on a labelled image set"));
+  outcome = Evaluate("logistic", "set");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("set: "));
+  outcome = Evaluate("logistic", "t.csv", "--html " + (folder_ / "e.html").string());
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--html"));
+}
+
+TEST_F(EvaluateTest, RefusesATableWithoutTheColumnsOrLabels) {
+  WriteFileAtomically(folder_ / "w.csv", "x1,class\n1,yes\n");
+  EXPECT_THAT(Evaluate("logistic", "w.csv").err, HasSubstr("columns that are not there: 'x2'"));
+  WriteFileAtomically(folder_ / "w.csv", "x1,x2\n1,2\n");
+  EXPECT_THAT(Evaluate("logistic", "w.csv").err, HasSubstr("no label column 'class'"));
+  WriteFileAtomically(folder_ / "w.csv", "x1,x2,class\n1,2,maybe\n");
+  const Outcome outcome = Evaluate("logistic", "w.csv");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("the label 'maybe' of row 1"));
+}
+
+TEST_F(EvaluateTest, RefusesWrongOptions) {
+  EXPECT_EQ(Evaluate("grasp", "set", "--threshold 1").code, 2);
+  EXPECT_EQ(Evaluate("logistic", "t.csv", "--threshold 0").code, 2);
+  EXPECT_EQ(Evaluate("grasp", "set", "--split tset").code, 2);
+}
+
+TEST_F(EvaluateTest, ChecksItsOutputsBeforeTheWork) {
+  const std::size_t before = NumEntries(folder_.path());
+  for (const char* option : {"--html ", "--json "}) {
+    const Outcome outcome = Evaluate("grasp", "set", option + (folder_ / "no/e").string());
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err, HasSubstr("cannot write: there is no folder"));
+  }
+  EXPECT_EQ(NumEntries(folder_.path()), before);
+}
+
+}  // namespace
+}  // namespace handcraft::tools

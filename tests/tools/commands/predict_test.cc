@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "lib/core/file.h"
+#include "lib/perception/image_io.h"
+#include "tests/support/temporary_directory.h"
+#include "tests/tools/support/generated_data.h"
+#include "tests/tools/support/run.h"
+
+namespace handcraft::tools {
+namespace {
+
+using handcraft::testing::TemporaryDirectory;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using testing::NumEntries;
+using testing::Outcome;
+using testing::RunLine;
+using ::testing::StartsWith;
+
+// A gray picture of one pixel, 16 bits deep: python3 zlib and struct, chunks IHDR, IDAT, IEND.
+constexpr std::array<std::uint8_t, 68> kPng16Bit = {
+    0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48,
+    0x44, 0x52, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x10, 0x00, 0x00, 0x00,
+    0x00, 0x6a, 0xee, 0x47, 0x16, 0x00, 0x00, 0x00, 0x0b, 0x49, 0x44, 0x41, 0x54, 0x78,
+    0xda, 0x63, 0x60, 0x64, 0x02, 0x00, 0x00, 0x07, 0x00, 0x04, 0xe5, 0xed, 0x94, 0xcf,
+    0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+
+class PredictTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    testing::WriteImageSet(folder_ / "set");
+    testing::TrainGraspPoints(folder_ / "set", folder_ / "grasp");
+  }
+
+  // Runs `predict` with a model and inputs of the folder; options follow.
+  [[nodiscard]] Outcome Predict(const std::vector<std::string>& model_and_inputs,
+                                const std::string& options = "--min-probability 0.3") const {
+    std::string line = "predict";
+    for (const std::string& name : model_and_inputs) line += " " + (folder_ / name).string();
+    return RunLine(line + " " + options);
+  }
+
+  [[nodiscard]] std::string OutOption() const { return " --out " + (folder_ / "out").string(); }
+
+  TemporaryDirectory folder_;
+};
+
+TEST_F(PredictTest, RanksGraspPointsBestFirst) {
+  const Outcome outcome = Predict({"grasp", "set/p4.png"}, "--min-probability 0.3 --top 3 --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(json["predictions"].size(), 1U);
+  EXPECT_EQ(json["predictions"][0]["width_px"], 64);
+  const auto& points = json["predictions"][0]["grasp_points"];
+  ASSERT_GE(points.size(), 2U);
+  ASSERT_LE(points.size(), 3U);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_GT(points[i]["probability"].get<double>(), 0.3);
+    if (i > 0) {
+      EXPECT_GE(points[i - 1]["probability"], points[i]["probability"]);
+    }
+  }
+}
+
+TEST_F(PredictTest, PrintsATable) {
+  const Outcome outcome = Predict({"grasp", "set/p4.png", "set/p5.png"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(StartsWith("image"), HasSubstr("u [px]"), HasSubstr("p5.png     1  ")));
+}
+
+TEST_F(PredictTest, WritesJsonAndOverlayOfEachPicture) {
+  const Outcome outcome =
+      Predict({"grasp", "set/p4.png", "set/p5.png"}, "--min-probability 0.3" + OutOption());
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(NumEntries(folder_ / "out"), 4U);
+  const auto json = nlohmann::json::parse(ReadTextFile(folder_ / "out/p4.grasp_points.json"));
+  EXPECT_FALSE(json["grasp_points"].empty());
+  const Image overlay = perception::ReadImage(folder_ / "out/p4.grasp_points.png");
+  EXPECT_EQ(overlay.width(), 64);
+  EXPECT_EQ(overlay.height(), 48);
+}
+
+TEST_F(PredictTest, TakesPicturesOfAnySize) {
+  perception::WritePng(folder_ / "1x1.png", Image(1, 1, 3, 9));
+  perception::WritePng(folder_ / "4x4.png", Image(4, 4, 3, 9));
+  perception::WritePng(folder_ / "wide.png", Image(10000, 3, 1, 9));
+  const Outcome outcome =
+      Predict({"grasp", "1x1.png", "4x4.png", "wide.png"}, "--min-probability 0");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
+TEST_F(PredictTest, SaysThatNothingIsGoodEnough) {
+  const Outcome outcome =
+      Predict({"grasp", "set/p4.png"}, "--min-probability 0.999999" + OutOption());
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.out, HasSubstr("-"));
+  EXPECT_THAT(outcome.err, HasSubstr("no grasp point above probability 0.999999"));
+  EXPECT_EQ(NumEntries(folder_ / "out"), 2U);
+}
+
+TEST_F(PredictTest, LeavesNothingWhenOnePictureIsWrong) {
+  std::vector<std::uint8_t> corrupt = ReadFile(folder_ / "set/p4.png");
+  corrupt.resize(200);
+  WriteFileAtomically(folder_ / "corrupt.png", corrupt);
+  WriteFileAtomically(folder_ / "empty.png", "");
+  WriteFileAtomically(folder_ / "text.png", "this is no picture");
+  std::filesystem::create_directory(folder_ / "folder.png");
+  WriteFileAtomically(folder_ / "16bit.png", kPng16Bit);
+  for (const char* wrong :
+       {"corrupt.png", "empty.png", "text.png", "folder.png", "16bit.png", "missing.png"}) {
+    const Outcome outcome =
+        Predict({"grasp", "set/p4.png", wrong}, "--min-probability 0.3" + OutOption());
+    EXPECT_EQ(outcome.code, 3) << wrong;
+    EXPECT_EQ(outcome.out, "") << wrong;
+    EXPECT_THAT(outcome.err, AllOf(StartsWith("handcraft: error: "), HasSubstr(wrong)));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out")) << wrong;
+  }
+}
+
+TEST_F(PredictTest, RefusesAGrayPictureForAColourModel) {
+  testing::TrainGraspPoints(
+      folder_ / "set", folder_ / "colour", "filters=edges+chroma,window=1,energy=log");
+  perception::WritePng(folder_ / "gray.png", Image(20, 20, 1, 9));
+  const Outcome outcome = Predict({"colour", "gray.png"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("gray.png"), HasSubstr("colour")));
+}
+
+TEST_F(PredictTest, RefusesWhatIsNoModel) {
+  EXPECT_EQ(Predict({"set/p4.png", "set/p4.png"}).code, 3);
+  EXPECT_EQ(Predict({"missing", "set/p4.png"}).code, 3);
+}
+
+TEST_F(PredictTest, RefusesTwoInputsForOneFile) {
+  std::filesystem::create_directory(folder_ / "other");
+  std::filesystem::copy_file(folder_ / "set/p4.png", folder_ / "other/p4.png");
+  const Outcome outcome =
+      Predict({"grasp", "set/p4.png", "other/p4.png"}, "--min-probability 0.3" + OutOption());
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("two inputs would write this file"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
+TEST_F(PredictTest, RefusesAPlaceItCannotWriteTo) {
+  WriteFileAtomically(folder_ / "out", "a file in the way");
+  const Outcome outcome = Predict({"grasp", "set/p4.png"}, "--min-probability 0.3" + OutOption());
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("cannot create the folder"));
+}
+
+TEST_F(PredictTest, RefusesWrongOptions) {
+  EXPECT_EQ(Predict({"grasp", "set/p4.png"}, "--min-probability 1").code, 2);
+  EXPECT_EQ(Predict({"grasp", "set/p4.png"}, "--top 0").code, 2);
+  EXPECT_EQ(Predict({"grasp", "set/p4.png"}, "--suppression-radius -1").code, 2);
+}
+
+TEST_F(PredictTest, GivesProbabilitiesOfATable) {
+  testing::WriteTable(folder_ / "t.csv");
+  testing::TrainLogistic(folder_ / "t.csv", folder_ / "logistic");
+  // Columns in another order, and one more.
+  WriteFileAtomically(folder_ / "new.csv", "x2,x1,x3\n0,3,9\n0,-3,9\n");
+  const Outcome outcome = Predict({"logistic", "new.csv"}, "--json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["predictions"][0]["positive_label"], "yes");
+  const auto& probabilities = json["predictions"][0]["probabilities"];
+  EXPECT_GT(probabilities[0].get<double>(), 0.5);
+  EXPECT_LT(probabilities[1].get<double>(), 0.5);
+  EXPECT_THAT(Predict({"logistic", "new.csv"}, "").out, StartsWith("probability of yes\n0."));
+  EXPECT_EQ(Predict({"logistic", "new.csv"}, OutOption()).code, 0);
+  EXPECT_THAT(ReadTextFile(folder_ / "out/new.probabilities.csv"),
+              StartsWith("probability of yes\n0."));
+}
+
+TEST_F(PredictTest, RefusesAPictureForATableModel) {
+  testing::WriteTable(folder_ / "t.csv");
+  testing::TrainLogistic(folder_ / "t.csv", folder_ / "logistic");
+  const Outcome outcome = Predict({"logistic", "set/p4.png"}, "");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("p4.png"));
+}
+
+}  // namespace
+}  // namespace handcraft::tools

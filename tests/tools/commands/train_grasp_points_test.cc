@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "datasets/formats/labelled_image_set.h"
+#include "lib/core/file.h"
+#include "lib/core/sha256.h"
+#include "lib/perception/image_io.h"
+#include "tests/support/temporary_directory.h"
+#include "tests/tools/support/generated_data.h"
+#include "tests/tools/support/run.h"
+
+namespace handcraft::tools {
+namespace {
+
+using handcraft::testing::TemporaryDirectory;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using testing::NumEntries;
+using testing::Outcome;
+using testing::RunLine;
+
+class TrainGraspPoints : public ::testing::Test {
+ protected:
+  void SetUp() override { testing::WriteImageSet(set_); }
+
+  // Trains into folder_/m with few features and samples.
+  [[nodiscard]] Outcome Train(const std::string& options = "",
+                              const std::string& features = "edges54") const {
+    return RunLine("train grasp-points " + set_.string() + " --out " + model_.string() +
+                   " --samples 400 --ridge 1 --features " + features + " " + options);
+  }
+
+  // Nothing but the data set is there.
+  void ExpectNothingLeft() const { EXPECT_EQ(NumEntries(folder_.path()), 1U); }
+
+  TemporaryDirectory folder_;
+  std::filesystem::path set_ = folder_ / "set";
+  std::filesystem::path model_ = folder_ / "m";
+};
+
+TEST_F(TrainGraspPoints, WritesAModelThatTellsItsOrigin) {
+  const Outcome outcome = Train();
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("400 (200 good, 200 bad)"), HasSubstr(Sha256Hex(ReadFile(model_)))));
+  const auto metadata =
+      nlohmann::json::parse(RunLine("inspect --json " + model_.string()).out)["metadata"];
+  EXPECT_EQ(metadata["hc.training.data_fingerprint"],
+            datasets::Fingerprint(datasets::ReadLabelledImageSet(set_).Only("train")));
+  EXPECT_EQ(metadata["hc.training.class_counts"], "0: 200, 1: 200");
+  EXPECT_EQ(metadata["hc.training.sampling.num_samples"], "400");
+  EXPECT_EQ(metadata["hc.training.irls.ridge"], "1");
+  EXPECT_EQ(metadata["hc.training.split"], "train");
+  EXPECT_THAT(metadata["hc.licence"].get<std::string>(), HasSubstr("CC0-1.0"));
+}
+
+TEST_F(TrainGraspPoints, TellsMachinesTheSame) {
+  const auto json = nlohmann::json::parse(Train("--json").out);
+  EXPECT_EQ(json["sha256"], Sha256Hex(ReadFile(model_)));
+  EXPECT_EQ(json["num_samples"], 400);
+  EXPECT_EQ(json["num_features"], 54);
+  EXPECT_EQ(json["termination"], "converged");
+  EXPECT_LT(json["deviance"], json["null_deviance"]);
+}
+
+TEST_F(TrainGraspPoints, GivesTheSameBytesForAnyNumberOfThreads) {
+  ASSERT_EQ(Train("--threads 1 --seed 3").code, 0);
+  const auto one_thread = ReadFile(model_);
+  ASSERT_EQ(Train("--threads 2 --seed 3").code, 0);
+  EXPECT_EQ(ReadFile(model_), one_thread);
+  ASSERT_EQ(Train("--threads 2 --seed 4").code, 0);
+  EXPECT_NE(ReadFile(model_), one_thread);
+}
+
+TEST_F(TrainGraspPoints, ReplacesAModelOnlyWhenThereIsANewOne) {
+  WriteFileAtomically(model_, "old");
+  EXPECT_EQ(Train("--max-iterations 1 --warm-start 0").code, 4);
+  EXPECT_EQ(ReadTextFile(model_), "old");
+}
+
+TEST_F(TrainGraspPoints, NamesAnUnknownFeature) {
+  const Outcome outcome = Train("", "all501");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("all501"), HasSubstr("all500")));
+  ExpectNothingLeft();
+}
+
+TEST_F(TrainGraspPoints, NamesAnUnknownSplitAndThoseThereAre) {
+  const Outcome outcome = Train("--split tset");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("tset"), HasSubstr("test"), HasSubstr("train")));
+  ExpectNothingLeft();
+}
+
+TEST_F(TrainGraspPoints, RefusesWrongSamplingOptions) {
+  for (const char* options : {"--bad-per-good 0", "--image-share 0", "--hard-negatives 2"}) {
+    const Outcome outcome = Train(options);
+    EXPECT_EQ(outcome.code, 2) << options;
+    EXPECT_THAT(outcome.err, HasSubstr("Try 'handcraft train grasp-points --help'.")) << options;
+  }
+  ExpectNothingLeft();
+}
+
+TEST_F(TrainGraspPoints, RefusesColourFeaturesOnGrayPictures) {
+  std::filesystem::remove_all(set_);
+  testing::WriteImageSet(set_, 1);
+  const Outcome outcome = Train("", "saxena459");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("p0.png"), HasSubstr("colour")));
+  ExpectNothingLeft();
+}
+
+TEST_F(TrainGraspPoints, NamesTheMaskThatDoesNotFit) {
+  Image mask(10, 10, 1, datasets::kMaskBad);
+  mask.At(5, 5) = datasets::kMaskGood;
+  perception::WritePng(set_ / "p1.mask.png", mask);
+  const Outcome outcome = Train();
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("p1.mask.png"));
+  ExpectNothingLeft();
+}
+
+TEST_F(TrainGraspPoints, RefusesMasksOfOneClass) {
+  for (int i = 0; i < 6; ++i) {
+    perception::WritePng(set_ / ("p" + std::to_string(i) + ".mask.png"), Image(64, 48, 1, 0));
+  }
+  const Outcome outcome = Train();
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("good"));
+  ExpectNothingLeft();
+}
+
+TEST_F(TrainGraspPoints, RefusesAMissingOrEmptySet) {
+  EXPECT_EQ(RunLine("train grasp-points no/such --out " + model_.string()).code, 3);
+  WriteFileAtomically(set_ / "manifest.csv", "");
+  EXPECT_EQ(Train().code, 3);
+  ExpectNothingLeft();
+}
+
+TEST_F(TrainGraspPoints, ChecksThePlaceOfTheModelBeforeTheWork) {
+  const Outcome outcome =
+      RunLine("train grasp-points no/such --out " + (folder_ / "no/m").string());
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("cannot write: there is no folder"));
+  ExpectNothingLeft();
+}
+
+}  // namespace
+}  // namespace handcraft::tools

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "tools/handcraft.h"
+
+#include <filesystem>
+#include <ostream>
+#include <sstream>
+#include <streambuf>
+
+#include <gmock/gmock.h>
+
+#include "lib/runtime/handcraft_runtime.h"
+#include "tests/support/temporary_directory.h"
+#include "tests/tools/support/generated_data.h"
+#include "tests/tools/support/run.h"
+
+namespace handcraft::tools {
+namespace {
+
+using handcraft::testing::TemporaryDirectory;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::RunLine;
+using ::testing::StartsWith;
+
+const std::vector<std::string>& AllCommands() {
+  static const std::vector<std::string> commands = {"data info",
+                                                    "data check",
+                                                    "data import cornell",
+                                                    "train grasp-points",
+                                                    "train logistic",
+                                                    "evaluate",
+                                                    "predict",
+                                                    "inspect",
+                                                    "check-model",
+                                                    "bench"};
+  return commands;
+}
+
+std::string ExampleOf(const std::string& command) {
+  const std::string help = RunLine(command + " --help").out;
+  const std::size_t at = help.find("Example:\n  handcraft ");
+  EXPECT_NE(at, std::string::npos) << command;
+  const std::size_t begin = help.find("handcraft ", at) + std::string("handcraft ").size();
+  return help.substr(begin, help.find('\n', begin) - begin);
+}
+
+TEST(RunHandcraft, TellsItsVersion) {
+  const Outcome outcome = RunLine("--version");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.out, std::string("handcraft ") + hc_version() + "\n");
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST(RunHandcraft, HelpsOnStandardOutput) {
+  const Outcome outcome = RunLine("--help");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("train"), HasSubstr("check-model")));
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST(RunHandcraft, EveryCommandHelpsWithAnExampleOfItself) {
+  for (const std::string& command : AllCommands()) {
+    const Outcome outcome = RunLine(command + " --help");
+    EXPECT_EQ(outcome.code, 0) << command;
+    EXPECT_EQ(outcome.err, "") << command;
+    EXPECT_THAT(outcome.out, HasSubstr("--json")) << command;
+    EXPECT_THAT(ExampleOf(command), StartsWith(command));
+  }
+}
+
+TEST(RunHandcraft, NamesAWrongCommandAndTheRightOnes) {
+  const Outcome outcome = RunLine("trian");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err,
+              AllOf(StartsWith("handcraft: error: no command 'trian'; there are: data, train"),
+                    HasSubstr("Try 'handcraft --help'.")));
+}
+
+TEST(RunHandcraft, AsksForTheMissingCommand) {
+  EXPECT_EQ(RunLine("").code, 2);
+  EXPECT_THAT(RunLine("").err, HasSubstr("a command is missing; there are: data, "));
+  EXPECT_THAT(RunLine("data").err,
+              AllOf(HasSubstr("a command is missing; there are: info, check, import"),
+                    HasSubstr("Try 'handcraft data --help'.")));
+}
+
+TEST(RunHandcraft, RefusesWrongOptionsWithAHint) {
+  for (const std::string& command : AllCommands()) {
+    const Outcome outcome = RunLine(command + " a b --no-such-option");
+    EXPECT_EQ(outcome.code, 2) << command;
+    EXPECT_EQ(outcome.out, "") << command;
+    EXPECT_THAT(outcome.err,
+                AllOf(StartsWith("handcraft: error: "),
+                      HasSubstr("Try 'handcraft " + command + " --help'.")));
+  }
+  EXPECT_THAT(RunLine("train logistic t --label l --ridge x").err, HasSubstr("--ridge"));
+}
+
+TEST(RunHandcraft, HintsAtHelpForAValueOutOfRange) {
+  const TemporaryDirectory folder;
+  testing::WriteTable(folder / "t.csv");
+  const Outcome outcome =
+      RunLine("train logistic " + (folder / "t.csv").string() + " --label class --ridge -1");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err,
+              AllOf(HasSubstr("ridge"), HasSubstr("Try 'handcraft train logistic --help'.")));
+}
+
+// A stream that takes nothing, as /dev/full.
+class FullStream : public std::streambuf {
+ protected:
+  int overflow(int /*byte*/) override { return traits_type::eof(); }
+  int sync() override { return -1; }
+};
+
+TEST(RunHandcraft, SaysWhenStandardOutputTakesNoMore) {
+  const TemporaryDirectory folder;
+  testing::WriteImageSet(folder / "set");
+  const std::string set = (folder / "set").string();
+  FullStream full;
+  std::ostream out(&full);
+  std::ostringstream err;
+  const std::vector<const char*> args = {"data", "info", set.c_str()};
+  EXPECT_EQ(RunHandcraft(args, out, err), 3);
+  EXPECT_THAT(err.str(), HasSubstr("standard output: cannot write"));
+}
+
+// The examples in --help work as printed, from a folder that looks like the project's root after
+// ./demo. `bench` is left out: it takes minutes.
+TEST(RunHandcraft, ExamplesWorkAsPrinted) {
+  const TemporaryDirectory root;
+  const std::filesystem::path source = HANDCRAFT_SOURCE_DIR;
+  for (const char* name : {"datasets", "tests", "docs"}) {
+    std::filesystem::create_directory_symlink(source / name, root / name);
+  }
+  std::filesystem::create_directories(root / "out/demo");
+  testing::TrainGraspPoints(source / "datasets/samples/cornell_mini",
+                            root / "out/demo/grasp_points.safetensors");
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(root.path());
+  for (const std::string& command : AllCommands()) {
+    if (command == "bench") continue;
+    const Outcome outcome = RunLine(ExampleOf(command));
+    EXPECT_EQ(outcome.code, 0) << ExampleOf(command) << '\n' << outcome.err;
+  }
+  std::filesystem::current_path(before);
+}
+
+}  // namespace
+}  // namespace handcraft::tools

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include "tools/console.h"
+
+/// One function a subcommand: adds it, with its options, below `parent`. The console must outlive
+/// the parsing; the work is done by the subcommand's callback, which throws handcraft::Error.
+/// Each lives in commands/<name>.cc.
+namespace handcraft::tools {
+
+void AddDataInfo(CLI::App& parent, const Console& console);
+void AddDataCheck(CLI::App& parent, const Console& console);
+void AddDataImport(CLI::App& parent, const Console& console);
+void AddTrainGraspPoints(CLI::App& parent, const Console& console);
+void AddTrainLogistic(CLI::App& parent, const Console& console);
+void AddEvaluate(CLI::App& parent, const Console& console);
+void AddPredict(CLI::App& parent, const Console& console);
+void AddInspect(CLI::App& parent, const Console& console);
+void AddCheckModel(CLI::App& parent, const Console& console);
+void AddBench(CLI::App& parent, const Console& console);
+
+}  // namespace handcraft::tools

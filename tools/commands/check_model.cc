@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <memory>
+#include <ostream>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "lib/core/file.h"
+#include "lib/core/sha256.h"
+#include "tools/commands.h"
+#include "tools/common_options.h"
+#include "tools/loaded_model.h"
+
+namespace handcraft::tools {
+namespace {
+
+struct CheckModelOptions {
+  std::string model;
+  bool json = false;
+};
+
+void RunCheckModel(const CheckModelOptions& options, const Console& console) {
+  const LoadedModel model = LoadModel(options.model);
+  const std::string_view kind = KindName(hc_model_kind(model.get()));
+  const std::string sha256 = Sha256Hex(ReadFile(options.model));
+  if (options.json) {
+    console.Print({{"model", options.model}, {"ok", true}, {"kind", kind}, {"sha256", sha256}});
+  } else {
+    console.out << "OK: " << options.model << " is a " << kind << " model; checksum, contents and "
+                << "self-test are right\nsha256 " << sha256 << '\n';
+  }
+}
+
+}  // namespace
+
+void AddCheckModel(CLI::App& parent, const Console& console) {
+  auto options = std::make_shared<CheckModelOptions>();
+  CLI::App* command =
+      parent.add_subcommand("check-model", "Load a model as the robot does: checksum, self-test");
+  command->add_option("MODEL", options->model, "Model file")->required();
+  AddJsonFlag(*command, options->json);
+  SetExample(*command, "handcraft check-model out/demo/grasp_points.safetensors");
+  command->callback([options, &console] { RunCheckModel(*options, console); });
+}
+
+}  // namespace handcraft::tools

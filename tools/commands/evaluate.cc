@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <filesystem>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "datasets/formats/labelled_image_set.h"
+#include "experiments/evaluation/grasp_point_evaluation.h"
+#include "experiments/evaluation/table_evaluation.h"
+#include "experiments/evaluation/table_model.h"
+#include "lib/core/error.h"
+#include "tools/commands.h"
+#include "tools/common_options.h"
+#include "tools/loaded_model.h"
+#include "tools/progress_bar.h"
+#include "tools/text_table.h"
+
+namespace handcraft::tools {
+namespace {
+
+struct EvaluateOptions {
+  std::string model;
+  std::string data;
+  std::string split = "test";
+  std::string json;
+  std::string html;
+  experiments::EvaluationOptions evaluation;
+};
+
+std::string Percent(double share) { return fmt::format("{:.2f} %", 100.0 * share); }
+
+void AddEstimateRow(const std::string& name,
+                    const experiments::Estimate& estimate,
+                    TextTable& table) {
+  table.AddRow({name,
+                Percent(estimate.value),
+                fmt::format("{} to {}", Percent(estimate.low), Percent(estimate.high))});
+}
+
+// Rows: the truth; columns: what the model says at the threshold.
+std::string ConfusionText(const experiments::ConfusionMatrix& matrix,
+                          const std::string& negative,
+                          const std::string& positive) {
+  TextTable table({"", "predicted " + positive, "predicted " + negative});
+  table.AddRow(
+      {positive, std::to_string(matrix.true_positive), std::to_string(matrix.false_negative)});
+  table.AddRow(
+      {negative, std::to_string(matrix.false_positive), std::to_string(matrix.true_negative)});
+  return table.ToText();
+}
+
+std::string ClassesText(const std::vector<experiments::GroupFigures>& classes) {
+  TextTable table({"class", "images", "accuracy", "AUC", "best pixels good", "of"});
+  for (const experiments::GroupFigures& group : classes) {
+    table.AddRow({group.name,
+                  std::to_string(group.num_images),
+                  Percent(group.accuracy.value),
+                  Percent(group.auc.value),
+                  std::to_string(group.best_good),
+                  std::to_string(group.best_total)});
+  }
+  return table.ToText();
+}
+
+void PrintGraspPoints(const Console& console,
+                      const EvaluateOptions& options,
+                      const experiments::GraspPointEvaluation& evaluation) {
+  const experiments::GroupFigures& all = evaluation.all;
+  console.out << fmt::format("{} on {} images ({}), scored by the runtime\n\n",
+                             options.model,
+                             all.num_images,
+                             options.split.empty() ? "all" : "split " + options.split)
+              << ConfusionText(all.confusion, "bad", "good") << '\n';
+  TextTable table({"measure", "value", "95 % interval over images"});
+  AddEstimateRow(fmt::format("accuracy at {}", options.evaluation.threshold), all.accuracy, table);
+  AddEstimateRow("area under the ROC curve", all.auc, table);
+  AddEstimateRow(fmt::format("up to {} best pixels above {} that are good",
+                             options.evaluation.best_pixels,
+                             options.evaluation.best_min_probability),
+                 all.best_pixel_accuracy,
+                 table);
+  table.AddRow({"log-loss", fmt::format("{:.4f}", all.log_loss), ""});
+  table.AddRow({"Brier score", fmt::format("{:.4f}", all.brier), ""});
+  console.out << table.ToText()
+              << fmt::format(
+                     "\nBest pixels: {} good of {} on good or bad ground, {} on don't-care "
+                     "ground; {} images have none\n",
+                     all.best_good,
+                     all.best_total,
+                     all.best_dont_care,
+                     all.num_images_without_best);
+  if (evaluation.classes.size() > 1) console.out << '\n' << ClassesText(evaluation.classes);
+}
+
+void EvaluateGraspPoints(const hc_model* model,
+                         const EvaluateOptions& options,
+                         const Console& console) {
+  if (std::filesystem::is_regular_file(options.data)) {
+    throw Error({.path = options.data,
+                 .reason = "a grasp-point model is evaluated on a labelled image set; this is a "
+                           "file",
+                 .remedy = "give the folder with manifest.csv"});
+  }
+  const datasets::LabelledImageSet set =
+      datasets::ReadLabelledImageSet(options.data).Only(options.split);
+  ProgressBar bar(console);
+  experiments::EvaluationOptions evaluation_options = options.evaluation;
+  evaluation_options.progress = bar.Callback();
+  const experiments::GraspPointEvaluation evaluation =
+      experiments::EvaluateGraspPoints(model, set, evaluation_options);
+  bar.Clear();
+  if (!options.html.empty()) {
+    experiments::WriteHtmlReport(options.html, evaluation, set, model);
+  }
+  WriteJson(console, options.json, experiments::ToJson(evaluation, set));
+  if (options.json != "-") PrintGraspPoints(console, options, evaluation);
+}
+
+void PrintTable(const Console& console,
+                const EvaluateOptions& options,
+                const experiments::TableEvaluation& evaluation) {
+  console.out << fmt::format(
+                     "{} on {} rows of {}\n\n", options.model, evaluation.num_rows, options.data)
+              << ConfusionText(
+                     evaluation.confusion, evaluation.negative_label, evaluation.positive_label)
+              << '\n';
+  TextTable table({"measure", "value", "95 % interval"});
+  AddEstimateRow(
+      fmt::format("accuracy at {}", evaluation.options.threshold), evaluation.accuracy, table);
+  AddEstimateRow("area under the ROC curve", evaluation.auc, table);
+  table.AddRow({"log-loss", fmt::format("{:.4f}", evaluation.log_loss), ""});
+  table.AddRow({"Brier score", fmt::format("{:.4f}", evaluation.brier), ""});
+  console.out << table.ToText();
+}
+
+void EvaluateTable(const hc_model* model, const EvaluateOptions& options, const Console& console) {
+  if (!options.html.empty()) {
+    throw Error({.kind = Error::Kind::kUsage,
+                 .reason = "--html shows pictures: it needs a grasp-point model"});
+  }
+  const experiments::TableModel table_model = experiments::ReadTableModel(options.model);
+  const datasets::Table table = experiments::ReadTableFor(table_model, options.data);
+  experiments::RequireLabelsOf(table_model, table, options.data);
+  const experiments::TableEvaluation evaluation =
+      experiments::EvaluateTable(model,
+                                 table,
+                                 options.data,
+                                 {.threshold = options.evaluation.threshold,
+                                  .bootstrap_resamples = options.evaluation.bootstrap_resamples,
+                                  .seed = options.evaluation.seed,
+                                  .num_threads = options.evaluation.num_threads});
+  WriteJson(console, options.json, experiments::ToJson(evaluation));
+  if (options.json != "-") PrintTable(console, options, evaluation);
+}
+
+void RunEvaluate(const EvaluateOptions& options, const Console& console) {
+  if (options.json != "-") RequireWritable(options.json);
+  RequireWritable(options.html);
+  options.evaluation.Validate();
+  const LoadedModel model = LoadModel(options.model);
+  const auto evaluate =
+      hc_model_kind(model.get()) == HC_KIND_GRASP_POINT ? EvaluateGraspPoints : EvaluateTable;
+  evaluate(model.get(), options, console);
+}
+
+void AddMeasureOptions(CLI::App& command, experiments::EvaluationOptions& evaluation) {
+  command.add_option("--threshold", evaluation.threshold, "Probability above which is 'good'")
+      ->capture_default_str();
+  const std::string group = "Grasp points";
+  command.add_option("--top", evaluation.best_pixels, "Best pixels counted an image")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--min-probability",
+                  evaluation.best_min_probability,
+                  "… if their probability is above this")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--suppression-radius",
+                  evaluation.suppression_radius_px,
+                  "… and they are farther apart than this [px]")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--pixels-per-image",
+                  evaluation.pixels_per_image,
+                  "Labelled pixels scored an image, half of them good")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--resamples", evaluation.bootstrap_resamples, "Bootstrap resamples of intervals")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void AddEvaluate(CLI::App& parent, const Console& console) {
+  auto options = std::make_shared<EvaluateOptions>();
+  CLI::App* command = parent.add_subcommand(
+      "evaluate", "Measure a model on labelled data: confusion matrix, accuracy, intervals");
+  command->add_option("MODEL", options->model, "Model file")->required();
+  command->add_option("DATA", options->data, "Labelled image set (folder) or table (.csv, .npy)")
+      ->required();
+  command->add_option("--split", options->split, "Split of an image set; '' for all images")
+      ->capture_default_str();
+  AddJsonFileOption(*command, options->json);
+  command->add_option("--html", options->html, "Write a page with figures and overlays")
+      ->type_name("FILE");
+  AddMeasureOptions(*command, options->evaluation);
+  AddSeedOption(*command, options->evaluation.seed);
+  AddThreadsOption(*command, options->evaluation.num_threads);
+  SetExample(*command,
+             "handcraft evaluate out/demo/grasp_points.safetensors "
+             "datasets/samples/cornell_mini");
+  command->callback([options, &console] { RunEvaluate(*options, console); });
+}
+
+}  // namespace handcraft::tools

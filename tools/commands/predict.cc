@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "datasets/formats/csv_records.h"
+#include "experiments/evaluation/json_text.h"
+#include "experiments/evaluation/runtime_scoring.h"
+#include "experiments/evaluation/table_model.h"
+#include "lib/core/error.h"
+#include "lib/core/fields.h"
+#include "lib/core/file.h"
+#include "lib/perception/image_io.h"
+#include "lib/perception/overlay.h"
+#include "tools/commands.h"
+#include "tools/common_options.h"
+#include "tools/loaded_model.h"
+#include "tools/output_folder.h"
+#include "tools/progress_bar.h"
+#include "tools/text_table.h"
+
+namespace handcraft::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct PredictOptions {
+  std::string model;
+  std::vector<std::string> inputs;
+  std::string out;
+  int top = 15;
+  double min_probability = 0.9;
+  int suppression_radius_px = 8;
+  bool json = false;
+};
+
+Json PointsJson(const std::string& path, const Image& image, const std::vector<hc_point>& points) {
+  Json json = {{"image", path},
+               {"width_px", image.width()},
+               {"height_px", image.height()},
+               {"grasp_points", Json::array()}};
+  for (const hc_point& point : points) {
+    json["grasp_points"].push_back(
+        {{"u_px", point.u},
+         {"v_px", point.v},
+         {"probability", experiments::ShortestDouble(point.probability)}});
+  }
+  return json;
+}
+
+Image Overlay(const Image& image,
+              const FloatImage& probabilities,
+              const std::vector<hc_point>& points) {
+  std::vector<perception::MarkedPoint> marks;
+  for (const hc_point& point : points) {
+    marks.push_back({.u_px = point.u, .v_px = point.v, .probability = point.probability});
+  }
+  return perception::DrawGraspPoints(image, probabilities, marks);
+}
+
+// Scores one picture; writes <stem>.grasp_points.{json,png} when there is a folder.
+Json PredictImage(const hc_model* model,
+                  const std::string& path,
+                  const PredictOptions& options,
+                  OutputFolder* folder) {
+  const Image image = perception::ReadImage(path);
+  const FloatImage probabilities = experiments::ScoreWithRuntime(model, image, path).probabilities;
+  const std::vector<hc_point> points = experiments::FindBestPixels(
+      probabilities, options.top, options.min_probability, options.suppression_radius_px);
+  Json json = PointsJson(path, image, points);
+  if (folder != nullptr) {
+    const std::string stem = fs::path(path).stem().string() + ".grasp_points";
+    WriteFileAtomically(folder->Claim(stem + ".json"), experiments::JsonText(json));
+    perception::WritePng(folder->Claim(stem + ".png"), Overlay(image, probabilities, points));
+  }
+  return json;
+}
+
+void PrintPoints(const Console& console, const Json& predictions) {
+  TextTable table({"image", "rank", "u [px]", "v [px]", "probability"});
+  for (const Json& prediction : predictions) {
+    const auto image = prediction["image"].get<std::string>();
+    if (prediction["grasp_points"].empty()) table.AddRow({image, "-", "-", "-", "-"});
+    int rank = 0;
+    for (const Json& point : prediction["grasp_points"]) {
+      table.AddRow({image,
+                    std::to_string(++rank),
+                    std::to_string(point["u_px"].get<int>()),
+                    std::to_string(point["v_px"].get<int>()),
+                    fmt::format("{:.4f}", point["probability"].get<double>())});
+    }
+  }
+  console.out << table.ToText();
+}
+
+void PredictImages(const hc_model* model,
+                   const PredictOptions& options,
+                   const Console& console,
+                   OutputFolder* folder) {
+  ProgressBar bar(console);
+  const Progress progress = bar.Callback();
+  Json predictions = Json::array();
+  bool found_any = false;
+  for (const std::string& input : options.inputs) {
+    Report(progress, "scoring", predictions.size(), options.inputs.size());
+    predictions.push_back(PredictImage(model, input, options, folder));
+    found_any = found_any || !predictions.back()["grasp_points"].empty();
+  }
+  bar.Clear();
+  if (folder != nullptr) folder->Keep();
+  if (options.json) {
+    console.Print({{"model", options.model}, {"predictions", predictions}});
+  } else {
+    PrintPoints(console, predictions);
+  }
+  if (!found_any) {
+    throw Error(
+        {.kind = Error::Kind::kNoResult,
+         .reason = fmt::format("no grasp point above probability {}", options.min_probability),
+         .remedy = "lower --min-probability"});
+  }
+}
+
+std::string ProbabilitiesCsv(const experiments::TableModel& model,
+                             const std::vector<double>& probabilities) {
+  std::string text = datasets::CsvField("probability of " + model.positive_label) + "\n";
+  for (const double probability : probabilities) text += NumberToText(probability) + "\n";
+  return text;
+}
+
+void PredictTables(const hc_model* model,
+                   const PredictOptions& options,
+                   const Console& console,
+                   OutputFolder* folder) {
+  const experiments::TableModel table_model = experiments::ReadTableModel(options.model);
+  Json predictions = Json::array();
+  std::string text;
+  for (const std::string& input : options.inputs) {
+    const std::vector<double> probabilities =
+        experiments::PredictTable(model, experiments::ReadTableFor(table_model, input));
+    const std::string csv = ProbabilitiesCsv(table_model, probabilities);
+    predictions.push_back({{"table", input},
+                           {"positive_label", table_model.positive_label},
+                           {"probabilities", probabilities}});
+    if (folder != nullptr) {
+      WriteFileAtomically(folder->Claim(fs::path(input).stem().string() + ".probabilities.csv"),
+                          csv);
+    } else {
+      text += csv;
+    }
+  }
+  if (folder != nullptr) folder->Keep();
+  if (options.json) {
+    console.Print({{"model", options.model}, {"predictions", predictions}});
+  } else {
+    console.out << text;
+  }
+}
+
+void Validate(const PredictOptions& options, hc_kind kind) {
+  const auto refuse = [](std::string reason) {
+    throw Error({.kind = Error::Kind::kUsage, .reason = std::move(reason)});
+  };
+  if (!(options.min_probability >= 0.0 && options.min_probability < 1.0)) {
+    refuse(fmt::format("--min-probability is {}; 0 or more and below 1 is due",
+                       options.min_probability));
+  }
+  if (kind == HC_KIND_LOGISTIC && options.inputs.size() > 1 && options.out.empty() &&
+      !options.json) {
+    refuse("several tables need --out or --json");
+  }
+}
+
+void RunPredict(const PredictOptions& options, const Console& console) {
+  const LoadedModel model = LoadModel(options.model);
+  const hc_kind kind = hc_model_kind(model.get());
+  Validate(options, kind);
+  std::optional<OutputFolder> folder;
+  if (!options.out.empty()) folder.emplace(options.out);
+  const auto predict = kind == HC_KIND_GRASP_POINT ? PredictImages : PredictTables;
+  predict(model.get(), options, console, folder ? &*folder : nullptr);
+  if (folder && !options.json) console.out << "Written to " << options.out << '\n';
+}
+
+}  // namespace
+
+void AddPredict(CLI::App& parent, const Console& console) {
+  auto options = std::make_shared<PredictOptions>();
+  CLI::App* command = parent.add_subcommand(
+      "predict", "Run a model with the robot's runtime on pictures or tables");
+  command->add_option("MODEL", options->model, "Model file")->required();
+  command->add_option("INPUT", options->inputs, "Pictures, or tables (.csv, .npy)")->required();
+  command
+      ->add_option("--out",
+                   options->out,
+                   "Folder for <picture>.grasp_points.json and .png, or <table>.probabilities.csv")
+      ->type_name("DIR");
+  command->add_option("--top", options->top, "Grasp points a picture, at most")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--min-probability", options->min_probability, "Only grasp points above this probability")
+      ->capture_default_str();
+  command
+      ->add_option("--suppression-radius",
+                   options->suppression_radius_px,
+                   "Grasp points are farther apart than this [px]; 0: no suppression")
+      ->check(CLI::Range(0, 10000))
+      ->capture_default_str();
+  AddJsonFlag(*command, options->json);
+  SetExample(*command,
+             "handcraft predict out/demo/grasp_points.safetensors "
+             "datasets/samples/cornell_mini/images/pcd0525r.png --out out/predictions");
+  command->callback([options, &console] { RunPredict(*options, console); });
+}
+
+}  // namespace handcraft::tools

@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <ostream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "datasets/formats/labelled_image_set.h"
+#include "datasets/grasp_point_samples.h"
+#include "lib/core/fields.h"
+#include "lib/core/file.h"
+#include "lib/core/sha256.h"
+#include "lib/features/feature_spec.h"
+#include "lib/model_io/linear_models.h"
+#include "lib/model_io/model_writer.h"
+#include "tools/commands.h"
+#include "tools/common_options.h"
+#include "tools/logistic_options.h"
+#include "tools/progress_bar.h"
+#include "tools/text_table.h"
+#include "tools/training_outcome.h"
+#include "trainers/logistic_irls/logistic_irls.h"
+
+namespace handcraft::tools {
+namespace {
+
+struct TrainGraspPointsOptions {
+  std::string dataset;
+  std::string out;
+  std::string name = "grasp_points";
+  std::string features = "all500,energy=log";
+  std::string split = "train";
+  datasets::SamplingOptions sampling;
+  logistic::Options logistic;
+  std::uint64_t seed = 1;
+  int num_threads = 1;
+  bool json = false;
+};
+
+// What training leaves behind, for the model file and for the screen.
+struct Training {
+  features::FeatureSpec spec;
+  datasets::LabelledImageSet set;
+  logistic::Result result;
+};
+
+std::vector<std::string> FeatureNames(const features::FeatureSpec& spec) {
+  std::vector<std::string> names;
+  for (int i = 0; i < spec.NumFeatures(); ++i) names.push_back(features::FeatureName(spec, i));
+  return names;
+}
+
+Training Train(const TrainGraspPointsOptions& options, const Console& console) {
+  Training training{.spec = features::ParseFeatureSpec(options.features),
+                    .set = datasets::ReadLabelledImageSet(options.dataset).Only(options.split),
+                    .result = {}};
+  ProgressBar bar(console);
+  datasets::SamplingOptions sampling = options.sampling;
+  logistic::Options logistic = options.logistic;
+  sampling.seed = logistic.seed = options.seed;
+  sampling.num_threads = logistic.num_threads = options.num_threads;
+  sampling.progress = logistic.progress = bar.Callback();
+  sampling.Validate();
+  logistic.Validate();
+  const datasets::GraspPointSamples samples = datasets::ComputeSampleFeatures(
+      training.set, datasets::DrawSamples(training.set, sampling), training.spec, sampling);
+  const logistic::DesignMatrix<float> matrix{.data = samples.features.data(),
+                                             .num_samples = samples.num_samples(),
+                                             .num_features = samples.num_features,
+                                             .stride = samples.num_features};
+  training.result = logistic::TrainLogistic<float>(matrix, samples.labels, logistic);
+  return training;
+}
+
+std::string LicencesOf(const datasets::LabelledImageSet& set) {
+  std::set<std::string> licences;
+  for (const datasets::LabelledImage& item : set.items) licences.insert(item.licence);
+  return fmt::format("{}", fmt::join(licences, "; "));
+}
+
+model_io::Provenance ProvenanceOf(const TrainGraspPointsOptions& options,
+                                  const Training& training) {
+  const logistic::Summary& summary = training.result.summary;
+  datasets::SamplingOptions sampling = options.sampling;
+  logistic::Options logistic = options.logistic;
+  sampling.seed = logistic.seed = options.seed;
+  model_io::Provenance provenance{
+      .name = options.name,
+      .task = "grasp_point",
+      .licence = "trained on pictures under: " + LicencesOf(training.set),
+      .intended_use = "ranks the pixels of a picture by how likely a gripper can close there",
+      .limits = "sees local texture and edges alone: best on scenes like the training pictures",
+      .algorithm = "logistic_irls",
+      .data_fingerprint = datasets::Fingerprint(training.set),
+      .class_counts = fmt::format(
+          "0: {}, 1: {}", summary.num_samples - summary.num_positive, summary.num_positive)};
+  provenance.hyper_parameters = FieldsToText(sampling, "sampling.");
+  provenance.hyper_parameters.merge(FieldsToText(logistic, "irls."));
+  provenance.hyper_parameters["split"] = options.split;
+  provenance.metrics = {{"train.num_samples", NumberToText(summary.num_samples)},
+                        {"train.num_images", NumberToText(training.set.items.size())},
+                        {"train.deviance", NumberToText(summary.deviance)},
+                        {"train.null_deviance", NumberToText(summary.null_deviance)},
+                        {"train.gradient_norm", NumberToText(summary.gradient_norm)},
+                        {"train.iterations", NumberToText(summary.iterations)},
+                        {"train.termination", std::string(NameOf(summary.termination))}};
+  return provenance;
+}
+
+std::vector<std::uint8_t> ModelBytes(const TrainGraspPointsOptions& options,
+                                     const Training& training) {
+  const model_io::LinearModel model{.weights = training.result.weights,
+                                    .intercept = training.result.intercept,
+                                    .feature_mean = training.result.feature_mean,
+                                    .feature_scale = training.result.feature_scale};
+  return model_io::Serialise(
+      model_io::MakeGraspPointModel(training.spec, model, ProvenanceOf(options, training)));
+}
+
+// Mean over samples of −ln(probability given to the right label).
+double LogLossOf(const logistic::Summary& summary) {
+  return summary.deviance / (2.0 * static_cast<double>(summary.num_samples));
+}
+
+void PrintJson(const Console& console,
+               const TrainGraspPointsOptions& options,
+               const Training& training,
+               const std::string& sha256) {
+  const logistic::Summary& summary = training.result.summary;
+  console.Print({{"model", options.out},
+                 {"sha256", sha256},
+                 {"features", features::ToString(training.spec)},
+                 {"num_features", training.spec.NumFeatures()},
+                 {"num_images", training.set.items.size()},
+                 {"num_samples", summary.num_samples},
+                 {"num_good", summary.num_positive},
+                 {"log_loss", LogLossOf(summary)},
+                 {"deviance", summary.deviance},
+                 {"null_deviance", summary.null_deviance},
+                 {"gradient_norm", summary.gradient_norm},
+                 {"iterations", summary.iterations},
+                 {"termination", NameOf(summary.termination)},
+                 {"message", summary.message}});
+}
+
+void PrintText(const Console& console,
+               const TrainGraspPointsOptions& options,
+               const Training& training,
+               const std::string& sha256) {
+  const logistic::Summary& summary = training.result.summary;
+  TextTable table;
+  table.AddRow({"images", fmt::format("{} ({})", training.set.items.size(), options.split)});
+  table.AddRow({"samples",
+                fmt::format("{} ({} good, {} bad)",
+                            summary.num_samples,
+                            summary.num_positive,
+                            summary.num_samples - summary.num_positive)});
+  table.AddRow(
+      {"features",
+       fmt::format("{} ({})", training.spec.NumFeatures(), features::ToString(training.spec))});
+  table.AddRow({"log-loss",
+                fmt::format("{:.6f} (without features {:.6f})",
+                            LogLossOf(summary),
+                            LogLossOf(summary) * summary.null_deviance / summary.deviance)});
+  table.AddRow({"training",
+                fmt::format("{} iterations, gradient {:.1e} a sample: {}",
+                            summary.iterations,
+                            summary.gradient_norm,
+                            summary.message)});
+  table.AddRow({"model", options.out});
+  table.AddRow({"sha256", sha256});
+  console.out << table.ToText();
+}
+
+void RunTrainGraspPoints(const TrainGraspPointsOptions& options, const Console& console) {
+  RequireWritable(options.out);
+  const Training training = Train(options, console);
+  RequireUsable(training.result.summary, FeatureNames(training.spec), console);
+  const std::vector<std::uint8_t> bytes = ModelBytes(options, training);
+  WriteFileAtomically(options.out, bytes);
+  if (options.json) {
+    PrintJson(console, options, training, Sha256Hex(bytes));
+  } else {
+    PrintText(console, options, training, Sha256Hex(bytes));
+  }
+}
+
+void AddSamplingOptions(CLI::App& command, datasets::SamplingOptions& sampling) {
+  const std::string group = "Sampling";
+  command.add_option("--samples", sampling.num_samples, "Pixels to draw in all; 0: every one")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--bad-per-good", sampling.bad_per_good, "Bad pixels for each good one")
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--image-share", sampling.image_share, "Share of the images to use, (0, 1]")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--hard-negatives",
+                  sampling.hard_negative_share,
+                  "Share of the bad pixels to draw near good ones, [0, 1]")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--hard-negative-radius",
+                  sampling.hard_negative_radius_px,
+                  "… no farther than this from a good one [px]")
+      ->capture_default_str()
+      ->group(group);
+}
+
+}  // namespace
+
+void AddTrainGraspPoints(CLI::App& parent, const Console& console) {
+  auto options = std::make_shared<TrainGraspPointsOptions>();
+  CLI::App* command = parent.add_subcommand(
+      "grasp-points", "Learn which pixels can be grasped from a labelled image set");
+  command->add_option("DATASET", options->dataset, "Folder with manifest.csv")->required();
+  command->add_option("--out", options->out, "Model file to write")->type_name("FILE")->required();
+  command
+      ->add_option("--features",
+                   options->features,
+                   "all500, edges150, window180, edges54 or saxena459, then changes such as "
+                   "energy=square|abs|log, window=3, filters=edges+laplacian")
+      ->type_name("SPEC")
+      ->capture_default_str();
+  command->add_option("--split", options->split, "Split to train on; '' for all images")
+      ->capture_default_str();
+  command->add_option("--name", options->name, "Name of the model, stored in it")
+      ->capture_default_str();
+  AddSeedOption(*command, options->seed);
+  AddThreadsOption(*command, options->num_threads);
+  AddJsonFlag(*command, options->json);
+  AddSamplingOptions(*command, options->sampling);
+  AddLogisticOptions(*command, options->logistic);
+  SetExample(*command,
+             "handcraft train grasp-points datasets/samples/cornell_mini "
+             "--out grasp_points.safetensors");
+  command->callback([options, &console] { RunTrainGraspPoints(*options, console); });
+}
+
+}  // namespace handcraft::tools

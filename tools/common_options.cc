@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "tools/common_options.h"
+
+#include <unistd.h>
+
+#include <ostream>
+#include <string_view>
+
+#include "lib/core/error.h"
+#include "lib/core/file.h"
+#include "lib/core/parallel.h"
+
+namespace handcraft::tools {
+
+void AddJsonFlag(CLI::App& command, bool& json) {
+  command.add_flag("--json", json, "Print the result as JSON");
+}
+
+void AddSeedOption(CLI::App& command, std::uint64_t& seed) {
+  command.add_option("--seed", seed, "Seed of every random draw; same seed, same data: same bytes")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+}
+
+void AddThreadsOption(CLI::App& command, int& num_threads) {
+  num_threads = NumHardwareThreads();
+  command.add_option("--threads", num_threads, "Threads; they never change a result")
+      ->check(CLI::Range(1, 1024))
+      ->default_str("all of the machine");
+}
+
+void AddJsonFileOption(CLI::App& command, std::string& target) {
+  command.add_option("--json", target, "Write the result as JSON to a file, or print it (-)")
+      ->expected(0, 1)
+      ->type_name("[FILE]")
+      ->default_str("-");
+}
+
+void WriteJson(const Console& console, const std::string& target, const std::string& text) {
+  const std::string_view end = text.ends_with('\n') ? "" : "\n";
+  if (target == "-") {
+    console.out << text << end;
+  } else if (!target.empty()) {
+    WriteFileAtomically(target, text + std::string(end));
+  }
+}
+
+void SetExample(CLI::App& command, const std::string& line) {
+  command.footer("Example:\n  " + line);
+}
+
+void RequireWritable(const std::filesystem::path& path) {
+  if (path.empty()) return;
+  std::error_code ignored;
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  if (std::filesystem::is_directory(path, ignored)) {
+    throw Error({.path = path.string(),
+                 .reason = "cannot write: this is a folder",
+                 .remedy = "name a file"});
+  }
+  if (!std::filesystem::is_directory(folder, ignored)) {
+    throw Error({.path = path.string(),
+                 .reason = "cannot write: there is no folder " + folder.string(),
+                 .remedy = "create it first"});
+  }
+  if (access(folder.c_str(), W_OK) != 0) {
+    throw Error({.path = path.string(),
+                 .reason = "cannot write: the folder " + folder.string() + " is not writable"});
+  }
+}
+
+}  // namespace handcraft::tools

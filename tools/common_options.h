@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include <CLI/App.hpp>
+
+#include "tools/console.h"
+
+namespace handcraft::tools {
+
+/// Options that mean the same in every subcommand that has them.
+void AddJsonFlag(CLI::App& command, bool& json);
+void AddSeedOption(CLI::App& command, std::uint64_t& seed);
+/// Sets num_threads to the number of hardware threads until the user says otherwise.
+void AddThreadsOption(CLI::App& command, int& num_threads);
+
+/// `--json [FILE]`: empty when not given, "-" (standard output) without a file.
+void AddJsonFileOption(CLI::App& command, std::string& target);
+/// Writes JSON text where that option says; nothing when it was not given.
+void WriteJson(const Console& console, const std::string& target, const std::string& text);
+
+/// The last lines of --help: one command that works as printed, from the root of the sources
+/// (files below out/demo are made by ./demo).
+void SetExample(CLI::App& command, const std::string& line);
+
+/// Says before the work, not after it, that a result could not be written: throws Error(kBadInput)
+/// when `path` is a folder or its folder is missing or not writable. An empty path passes.
+void RequireWritable(const std::filesystem::path& path);
+
+}  // namespace handcraft::tools

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "tools/console.h"
+
+#include <ostream>
+
+#include <nlohmann/json.hpp>
+
+namespace handcraft::tools {
+
+void Console::Warn(std::string_view text) const { err << "handcraft: warning: " << text << '\n'; }
+
+void Console::Print(const nlohmann::ordered_json& json) const {
+  out << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+}
+
+}  // namespace handcraft::tools

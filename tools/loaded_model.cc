@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "tools/loaded_model.h"
+
+#include <cstdint>
+#include <utility>
+
+#include "lib/core/error.h"
+
+namespace handcraft::tools {
+LoadedModel LoadModel(const std::filesystem::path& path) {
+  hc_model* model = nullptr;
+  hc_error error{};
+  if (hc_model_load_file(path.c_str(), &model, &error) != HC_OK) {
+    Error::Details details{.path = path.string(), .reason = error.message};
+    if (error.byte_offset != UINT64_MAX) details.byte = error.byte_offset;
+    throw Error(std::move(details));
+  }
+  return LoadedModel(model);
+}
+
+std::string MetadataOf(const hc_model* model, const char* key) {
+  const char* value = hc_model_metadata(model, key);
+  return value == nullptr ? "" : value;
+}
+
+std::string_view KindName(hc_kind kind) noexcept {
+  return kind == HC_KIND_GRASP_POINT ? "grasp_point" : "logistic";
+}
+
+}  // namespace handcraft::tools

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "tools/training_outcome.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "lib/core/error.h"
+
+namespace handcraft::tools {
+namespace {
+
+constexpr std::size_t kMaxNamesShown = 5;
+
+std::string_view RemedyFor(logistic::Termination termination) noexcept {
+  switch (termination) {
+    case logistic::Termination::kSeparated:
+      return "give more samples, fewer features, or --ridge 1";
+    case logistic::Termination::kIterationLimit:
+      return "raise --max-iterations, or give --ridge 1";
+    default:
+      return "give --ridge 1";
+  }
+}
+
+std::string FirstNames(const std::vector<std::size_t>& indices,
+                       const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(indices.size(), kMaxNamesShown); ++i) {
+    text += (i > 0 ? ", " : "") + names.at(indices[i]);
+  }
+  if (indices.size() > kMaxNamesShown) {
+    text += fmt::format(" and {} more", indices.size() - kMaxNamesShown);
+  }
+  return text;
+}
+
+}  // namespace
+
+bool IsUsable(const logistic::Summary& summary) noexcept {
+  return summary.termination == logistic::Termination::kConverged ||
+         summary.termination == logistic::Termination::kRankDeficient;
+}
+
+void RequireUsable(const logistic::Summary& summary,
+                   const std::vector<std::string>& feature_names,
+                   const Console& console) {
+  if (!IsUsable(summary)) {
+    throw Error({.kind = Error::Kind::kNoResult,
+                 .reason = "no model: " + summary.message,
+                 .remedy = std::string(RemedyFor(summary.termination))});
+  }
+  if (!summary.aliased_features.empty()) {
+    console.Warn(fmt::format("rank deficient: weights of redundant features are left at 0: {}",
+                             FirstNames(summary.aliased_features, feature_names)));
+  }
+}
+
+}  // namespace handcraft::tools
