@@ -16,6 +16,7 @@ import argparse
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -28,9 +29,12 @@ import markdown  # noqa: E402
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 COPIED_FOLDERS = ("datasets/samples", "models")
 TIMEOUT_S = 300
-# A `console` block is shown, not run: it may hold only what ./check and ./demo do themselves.
+# A `console` block is shown, not run: what ./check and ./demo do themselves, or a command with a
+# PLACEHOLDER for the reader's own data.
 SHOWN_COMMANDS = ("./demo", "./check", "cmake ", "ctest ", "git ", "sudo ", "scripts/", "clang-",
                   "cd ")
+PLACEHOLDER = re.compile(r"\b[A-Z]{3,}\b")
+OWN_INCLUDE = re.compile(r'^#include "(lib|trainers|datasets|experiments)/', flags=re.M)
 
 
 class BlockFailed(Exception):
@@ -63,16 +67,21 @@ class Runner:
         self.execute([sys.executable, "-c", block.text])
 
     def compile_program(self, block):
-        """Compiles and links a complete program against the installed runtime."""
-        if "int main(" not in block.text:
-            raise BlockFailed("not a complete program: give it a main, or mark the block `text`")
+        """Compiles and links a complete program against the installed runtime; code that uses the
+        project's own headers is compiled alone."""
         source = self.folder / f"line_{block.line}.{block.language}"
         source.write_text(block.text, encoding="utf-8")
-        compiler = (["cc", "-std=c11"] if block.language == "c" else ["c++", "-std=c++20"])
-        prefix = self.installed.prefix()
-        self.execute(compiler + ["-Wall", "-Wextra", "-Werror", f"-I{prefix}/include", str(source),
-                                 f"-L{prefix}/lib", "-lhandcraft_runtime",
-                                 "-o", str(source.with_suffix(""))])
+        command = ["cc", "-std=c11"] if block.language == "c" else ["c++", "-std=c++20"]
+        command += ["-Wall", "-Wextra", "-Werror", str(source)]
+        if OWN_INCLUDE.search(block.text):
+            command += [f"-I{ROOT}", "-fsyntax-only"]
+        elif "int main(" in block.text:
+            prefix = self.installed.prefix()
+            command += [f"-I{prefix}/include", f"-L{prefix}/lib", "-lhandcraft_runtime",
+                        "-o", str(source.with_suffix(""))]
+        else:
+            raise BlockFailed("not a complete program: give it a main, or mark the block `text`")
+        self.execute(command)
 
     def execute(self, command):
         try:
@@ -89,7 +98,8 @@ def check_shown(block):
     continued = False
     for line in block.text.splitlines():
         command = line.removeprefix("$ ")
-        if command.strip() and not command.startswith(("#",) + SHOWN_COMMANDS) and not continued:
+        is_shown = command.startswith(("#",) + SHOWN_COMMANDS) or PLACEHOLDER.search(command)
+        if command.strip() and not is_shown and not continued:
             raise BlockFailed(f"'{command}' can be run: mark the block `sh`")
         continued = line.endswith("\\")
 

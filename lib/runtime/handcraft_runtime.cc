@@ -151,6 +151,7 @@ hc_status hc_model_load_file(const char* path, hc_model** model, hc_error* error
 void hc_model_free(hc_model* model) { delete model; }
 
 hc_kind hc_model_kind(const hc_model* model) {
+  if (model == nullptr) return static_cast<hc_kind>(0);
   return std::holds_alternative<PixelScorer>(model->predictor) ? HC_KIND_GRASP_POINT
                                                                : HC_KIND_LOGISTIC;
 }
@@ -164,6 +165,7 @@ const char* hc_model_metadata(const hc_model* model, const char* key) {
 }
 
 size_t hc_model_num_features(const hc_model* model) {
+  if (model == nullptr) return 0;
   if (const auto* scorer = std::get_if<PixelScorer>(&model->predictor)) {
     return static_cast<size_t>(scorer->spec().NumFeatures());
   }
@@ -171,6 +173,7 @@ size_t hc_model_num_features(const hc_model* model) {
 }
 
 int hc_model_needs_colour(const hc_model* model) {
+  if (model == nullptr) return 0;
   const auto* scorer = std::get_if<PixelScorer>(&model->predictor);
   return scorer != nullptr && scorer->spec().NeedsColour() ? 1 : 0;
 }

@@ -65,6 +65,7 @@ typedef enum hc_kind {
   HC_KIND_LOGISTIC = 2,    /**< Probability of a row of numbers: hc_predict_row. */
 } hc_kind;
 
+/** What the model is for; 0 for null, as with the numbers below. */
 HC_API hc_kind hc_model_kind(const hc_model* model);
 /** Value of a metadata key ("hc.name", …) or null; lives as long as the model. */
 HC_API const char* hc_model_metadata(const hc_model* model, const char* key);

@@ -93,8 +93,17 @@ class RunDocCommands(unittest.TestCase):
     def test_fragments_of_programs_are_refused(self):
         self.assert_fails("```cpp\nf();\n```\n", "not a complete program")
 
+    def test_code_on_own_headers_is_compiled_alone(self):
+        header = self.folder / "root/lib/core/a.h"
+        header.parent.mkdir(parents=True)
+        header.write_text("int F(int);\n")
+        self.assert_runs('```cpp\n#include "lib/core/a.h"\nint G() { return F(1); }\n```\n')
+        self.assert_fails('```cpp\n#include "lib/core/a.h"\nint G() { return F(); }\n```\n',
+                          "too few arguments")
+
     def test_only_what_cannot_run_is_merely_shown(self):
         self.assert_runs("```console\n$ ./demo\n$ cmake --preset dev\n```\n")
+        self.assert_runs("```console\nhandcraft data import cornell SOURCE \\\n  --out x\n```\n")
         self.assert_fails("```console\nhandcraft train\n```\n", "can be run: mark the block `sh`")
 
     def test_json(self):
