@@ -40,7 +40,7 @@ void Blend(std::uint8_t* pixel, const Colour& colour, float opacity) {
 }
 
 void BlendProbabilities(Image& image, const FloatImage& probabilities) {
-  constexpr float kOpacityAtOne = 0.6F;
+  constexpr float kOpacityAtOne = 0.4F;  // the picture stays visible
   for (int v = 0; v < image.height(); ++v) {
     for (int u = 0; u < image.width(); ++u) {
       const float p = std::clamp(probabilities.At(u, v), 0.0F, 1.0F);

@@ -163,18 +163,14 @@ void PrintText(const Console& console,
                             summary.num_samples,
                             summary.num_positive,
                             summary.num_samples - summary.num_positive)});
-  table.AddRow(
-      {"features",
-       fmt::format("{} ({})", training.spec.NumFeatures(), features::ToString(training.spec))});
+  table.AddRow({"features", fmt::format("{} ({})", training.spec.NumFeatures(), options.features)});
   table.AddRow({"log-loss",
                 fmt::format("{:.6f} (without features {:.6f})",
                             LogLossOf(summary),
                             LogLossOf(summary) * summary.null_deviance / summary.deviance)});
-  table.AddRow({"training",
-                fmt::format("{} iterations, gradient {:.1e} a sample: {}",
-                            summary.iterations,
-                            summary.gradient_norm,
-                            summary.message)});
+  table.AddRow(
+      {"training",
+       fmt::format("{}, gradient {:.1e} a sample", summary.message, summary.gradient_norm)});
   table.AddRow({"model", options.out});
   table.AddRow({"sha256", sha256});
   console.out << table.ToText();

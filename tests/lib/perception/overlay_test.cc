@@ -24,8 +24,8 @@ TEST(DrawGraspPoints, BlendsWarmOverTheProbable) {
   const Image drawn = DrawGraspPoints(gray, probabilities, {});
   EXPECT_EQ(drawn.channels(), 3);
   EXPECT_EQ(Pixel(drawn, 0, 0), (std::vector{100, 100, 100}));
-  EXPECT_EQ(Pixel(drawn, 1, 0), (std::vector{70, 100, 147}));  // 30 % of (0, 100, 255)
-  EXPECT_EQ(Pixel(drawn, 2, 0), (std::vector{40, 40, 193}));   // 60 % of (0, 0, 255)
+  EXPECT_EQ(Pixel(drawn, 1, 0), (std::vector{80, 100, 131}));  // 20 % of (0, 100, 255)
+  EXPECT_EQ(Pixel(drawn, 2, 0), (std::vector{60, 60, 162}));   // 40 % of (0, 0, 255)
 }
 
 TEST(DrawGraspPoints, TakesProbabilitiesOutOfRangeAndNotANumber) {
@@ -36,7 +36,7 @@ TEST(DrawGraspPoints, TakesProbabilitiesOutOfRangeAndNotANumber) {
   probabilities.At(2, 0) = std::numeric_limits<float>::quiet_NaN();
   const Image drawn = DrawGraspPoints(picture, probabilities, {});
   EXPECT_EQ(Pixel(drawn, 0, 0), (std::vector{100, 100, 100}));
-  EXPECT_EQ(Pixel(drawn, 1, 0), (std::vector{40, 40, 193}));
+  EXPECT_EQ(Pixel(drawn, 1, 0), (std::vector{60, 60, 162}));
   EXPECT_EQ(Pixel(drawn, 2, 0), (std::vector{100, 100, 100}));
 }
 
