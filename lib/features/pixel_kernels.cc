@@ -90,7 +90,8 @@ HWY_INLINE void CorrelateBlock(const CorrelateRowJob& job, std::ptrdiff_t x) {
   HWY_UNROLL(5)
   for (int j = 0; j < kWindow; ++j) {
     HWY_UNROLL(4)
-    for (int k = 0; k < kBlocks; ++k) sums[j][k] = Load(job.sums[static_cast<std::size_t>(j)] + x + k * lanes);
+    for (int k = 0; k < kBlocks; ++k)
+      sums[j][k] = Load(job.sums[static_cast<std::size_t>(j)] + x + k * lanes);
   }
   const float* weights = job.weights;
   const float* energies = job.energies + kMaxRadius - kWindow / 2 + x;
@@ -111,7 +112,8 @@ HWY_INLINE void CorrelateBlock(const CorrelateRowJob& job, std::ptrdiff_t x) {
   HWY_UNROLL(5)
   for (int j = 0; j < kWindow; ++j) {
     HWY_UNROLL(4)
-    for (int k = 0; k < kBlocks; ++k) Store(sums[j][k], job.sums[static_cast<std::size_t>(j)] + x + k * lanes);
+    for (int k = 0; k < kBlocks; ++k)
+      Store(sums[j][k], job.sums[static_cast<std::size_t>(j)] + x + k * lanes);
   }
 }
 

@@ -52,7 +52,8 @@ HWY_INLINE Floats NaturalLog(Floats x) {
   return hn::MulAdd(k, Constant(0.69314718056F), hn::Add(f, tail));
 }
 
-// 1 / (1 + e^{−z}), z kept to |z| ≤ 87. e^{−z} = 2^n · e^r with n = round(−z / ln 2); e^r by Cephes' expf polynomial, |r| ≤ ln 2 / 2.
+// 1 / (1 + e^{−z}), z kept to |z| ≤ 87. e^{−z} = 2^n · e^r with n = round(−z / ln 2); e^r by
+// Cephes' expf polynomial, |r| ≤ ln 2 / 2.
 HWY_INLINE Floats Sigmoid(Floats z) {
   const hn::RebindToSigned<FloatTag> int_tag;
   const Floats t = hn::Min(hn::Max(hn::Neg(z), Constant(-87.0F)), Constant(87.0F));
