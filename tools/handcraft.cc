@@ -84,12 +84,33 @@ int ReportParseError(const CLI::App& app, const CLI::ParseError& error, const Co
   return ExitCode(Error::Kind::kUsage);
 }
 
-void ParseAndRun(CLI::App& app, std::span<const char* const> args, const Console& console) {
-  AddCommands(app, console);
-  std::vector<std::string> reversed(args.rbegin(), args.rend());  // CLI11 takes them from the end
-  app.parse(std::move(reversed));
-  if (!console.out.flush()) {
-    throw Error({.path = "standard output", .reason = "cannot write: the result is incomplete"});
+int ReportError(const CLI::App& app, const Error& error, const Console& console) {
+  console.err << "handcraft: error: " << error.what() << '\n';
+  if (error.details().kind == Error::Kind::kUsage) {
+    console.err << "Try '" << FullName(NamedCommand(app)) << " --help'.\n";
+  }
+  return ExitCode(error.details().kind);
+}
+
+// Every exception becomes a message and an exit code here, and nowhere else.
+int ParseAndRun(CLI::App& app, std::span<const char* const> args, const Console& console) {
+  try {
+    AddCommands(app, console);
+    std::vector<std::string> reversed(args.rbegin(), args.rend());  // CLI11 reads from the end
+    app.parse(std::move(reversed));
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    return ReportParseError(app, error, console);
+  } catch (const Error& error) {
+    return ReportError(app, error, console);
+  } catch (const std::bad_alloc&) {
+    console.err << "handcraft: error: out of memory (use fewer samples, features or pictures)\n";
+    return ExitCode(Error::Kind::kBadInput);
+  } catch (const std::exception& error) {
+    console.err
+        << "handcraft: error: " << error.what()
+        << "\nThis is a bug in handcraft: please report it with the command that you ran.\n";
+    return kExitBug;
   }
 }
 
@@ -100,25 +121,12 @@ int RunHandcraft(std::span<const char* const> args, std::ostream& out, std::ostr
   const Console console{out, err, &err == &std::cerr && isatty(STDERR_FILENO) == 1};
   CLI::App app("Trains small, explainable robot-manipulation models and runs them on the robot.",
                "handcraft");
-  try {
-    ParseAndRun(app, args, console);
-    return 0;
-  } catch (const CLI::ParseError& error) {
-    return ReportParseError(app, error, console);
-  } catch (const Error& error) {
-    err << "handcraft: error: " << error.what() << '\n';
-    if (error.details().kind == Error::Kind::kUsage) {
-      err << "Try '" << FullName(NamedCommand(app)) << " --help'.\n";
-    }
-    return ExitCode(error.details().kind);
-  } catch (const std::bad_alloc&) {
-    err << "handcraft: error: out of memory (use fewer samples, features or pictures)\n";
-    return ExitCode(Error::Kind::kBadInput);
-  } catch (const std::exception& error) {
-    err << "handcraft: error: " << error.what()
-        << "\nThis is a bug in handcraft: please report it with the command that you ran.\n";
-    return kExitBug;
-  }
+  const int code = ParseAndRun(app, args, console);
+  if (code != 0 || out.flush()) return code;
+  return ReportError(
+      app,
+      Error({.path = "standard output", .reason = "cannot write: the result is incomplete"}),
+      console);
 } catch (...) {
   return kExitBug;
 }

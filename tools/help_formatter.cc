@@ -43,7 +43,7 @@ HelpFormatter::HelpFormatter() {
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
   if (option->get_type_size() == 0) return "";
   const bool takes_many = option->get_expected_max() == CLI::detail::expected_max_vector_size;
-  const std::string many = takes_many ? "…" : "";
+  std::string many = takes_many ? "…" : "";
   if (!option->nonpositional()) return many;  // the name of a positional says what it is
   const std::string type = option->get_type_name();
   return " " + get_label(type.substr(0, type.find(':'))) + many;

@@ -11,7 +11,7 @@
 
 namespace handcraft::tools {
 
-OutputFolder::OutputFolder(std::filesystem::path folder)
+OutputFolder::OutputFolder(const std::filesystem::path& folder)
     : folder_(std::filesystem::absolute(folder).lexically_normal()) {
   std::filesystem::path level;
   for (const std::filesystem::path& part : folder_) {

@@ -61,6 +61,7 @@ Image Overlay(const Image& image,
               const FloatImage& probabilities,
               const std::vector<hc_point>& points) {
   std::vector<perception::MarkedPoint> marks;
+  marks.reserve(points.size());
   for (const hc_point& point : points) {
     marks.push_back({.u_px = point.u, .v_px = point.v, .probability = point.probability});
   }

@@ -54,6 +54,7 @@ struct Training {
 
 std::vector<std::string> FeatureNames(const features::FeatureSpec& spec) {
   std::vector<std::string> names;
+  names.reserve(static_cast<std::size_t>(spec.NumFeatures()));
   for (int i = 0; i < spec.NumFeatures(); ++i) names.push_back(features::FeatureName(spec, i));
   return names;
 }
