@@ -7,8 +7,9 @@
 
 Looks at every source that differs from COMMIT, or includes a header that does. Without --base:
 where HEAD left origin/main, else twenty commits back, else everything. A source that passed before
-with the same text, headers, compile command and configuration is not looked at again. Exit code 1
-when there is a finding.
+with the same text, headers, compile command and configuration is not looked at again, in any clone:
+what passed is remembered beside ccache's files, in ~/.cache/handcraft. Exit code 1 when there is a
+finding.
 """
 
 import argparse
@@ -20,10 +21,12 @@ import pathlib
 import re
 import subprocess
 import sys
+import time
 from typing import Dict, List, Optional, Set
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 CONFIGURATION = ".clang-tidy"
+FORGOTTEN_AFTER_S = 30 * 24 * 3600
 OWN_INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', flags=re.M)
 
 
@@ -78,11 +81,27 @@ def with_own_headers(source: str) -> List[str]:
 
 
 def key_of(files: List[str], command: str, tool_version: str) -> str:
-    """Changes whenever the answer of clang-tidy could."""
-    digest = hashlib.sha256(f"{tool_version}\n{command}\n".encode())
+    """Changes whenever the answer of clang-tidy could; the same in every clone."""
+    digest = hashlib.sha256(f"{tool_version}\n{command.replace(str(ROOT), '.')}\n".encode())
     for name in [CONFIGURATION, *files]:
         digest.update(name.encode() + b"\0" + (ROOT / name).read_bytes())
     return digest.hexdigest()
+
+
+def open_cache(build: pathlib.Path) -> pathlib.Path:
+    """The folder of what passed: an empty file a key. Drops what no run asked for in a month."""
+    user_cache = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or "~/.cache").expanduser()
+    for cache in (user_cache / "handcraft/clang_tidy", build / "clang_tidy"):
+        try:
+            cache.mkdir(parents=True, exist_ok=True)
+        except OSError:
+            continue
+        if os.access(cache, os.W_OK):
+            break
+    for stamp in cache.iterdir():
+        if time.time() - stamp.stat().st_mtime > FORGOTTEN_AFTER_S:
+            stamp.unlink(missing_ok=True)
+    return cache
 
 
 def look_at(source: str, build: pathlib.Path) -> str:
@@ -103,16 +122,15 @@ def main() -> int:
     changed = None if arguments.all else changed_files(arguments.base or default_base())
     version = subprocess.run(["clang-tidy", "--version"], check=True, capture_output=True, text=True)
 
-    cache = build / "clang_tidy"
-    cache.mkdir(exist_ok=True)
+    cache = open_cache(build)
     stamps, waiting = {}, []
     for source, command in sorted(compile_commands(build).items()):
         files = with_own_headers(source)
         stamps[source] = cache / key_of(files, command, version.stdout)
-        if (changed is None or changed & set(files)) and not stamps[source].exists():
+        if stamps[source].exists():
+            stamps[source].touch()
+        elif changed is None or changed & set(files):
             waiting.append(source)
-    for stale in set(cache.iterdir()) - set(stamps.values()):
-        stale.unlink()
     print(f"clang-tidy: {len(waiting)} of {len(stamps)} sources to look at", flush=True)
 
     num_findings = 0

@@ -30,7 +30,8 @@ class RunClangTidy(unittest.TestCase):
         (self.root / "bin/clang-tidy").write_text(FAKE_CLANG_TIDY)
         (self.root / "bin/clang-tidy").chmod(0o755)
         (self.root / ".clang-tidy").write_text("Checks: '*'\n")
-        (self.root / ".gitignore").write_text("/build/\n/bin/\n/log\n")
+        (self.root / ".gitignore").write_text("/build/\n/bin/\n/log\n/cache/\n")
+        self.cache = self.root / "cache"
         self.write("a.h", "")
         self.write("uses_a.cc", '#include "lib/a.h"\n')
         self.write("alone.cc", "\n")
@@ -55,7 +56,7 @@ class RunClangTidy(unittest.TestCase):
         log = self.root / "log"
         log.write_text("")
         environment = dict(os.environ, PATH=f"{self.root / 'bin'}:{os.environ['PATH']}",
-                           LOG=str(log))
+                           LOG=str(log), XDG_CACHE_HOME=str(self.cache))
         process = subprocess.run(
             [sys.executable, self.root / "scripts/run_clang_tidy.py", *arguments],
             env=environment, capture_output=True, text=True)
@@ -65,6 +66,27 @@ class RunClangTidy(unittest.TestCase):
                                           for line in log.read_text().splitlines())
 
     def test_without_a_base_every_source_is_looked_at_once(self):
+        self.assertEqual(self.run_script(), (0, ["alone.cc", "uses_a.cc"]))
+        self.assertEqual(self.run_script(), (0, []))
+
+    def test_another_clone_knows_what_passed(self):
+        self.run_script()
+        with tempfile.TemporaryDirectory() as other:
+            moved = pathlib.Path(other).resolve() / "clone"
+            shutil.copytree(self.root, moved)
+            commands = moved / "build/dev/compile_commands.json"
+            commands.write_text(commands.read_text().replace(str(self.root), str(moved)))
+            self.root = moved
+            self.assertEqual(self.run_script(), (0, []))
+
+    def test_what_nobody_asked_for_in_a_month_is_forgotten(self):
+        self.run_script()
+        for stamp in (self.cache / "handcraft/clang_tidy").iterdir():
+            os.utime(stamp, (0, 0))
+        self.assertEqual(self.run_script(), (0, ["alone.cc", "uses_a.cc"]))
+
+    def test_without_a_cache_folder_the_build_remembers(self):
+        self.cache.write_text("a file, no folder\n")
         self.assertEqual(self.run_script(), (0, ["alone.cc", "uses_a.cc"]))
         self.assertEqual(self.run_script(), (0, []))
 
