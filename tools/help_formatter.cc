@@ -37,13 +37,16 @@ HelpFormatter::HelpFormatter() {
   column_width(kFirstColumnWidth);
   label("FLOAT", "NUMBER");
   label("UINT", "INT");
+  label("Positionals", "Arguments");
+  label("SUBCOMMAND", "COMMAND");
+  label("Subcommands", "Commands");
 }
 
 // The names of validators, which CLI11 puts behind a colon, say nothing that the text does not.
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
   if (option->get_type_size() == 0) return "";
   const bool takes_many = option->get_expected_max() == CLI::detail::expected_max_vector_size;
-  std::string many = takes_many ? "…" : "";
+  std::string many = takes_many ? "..." : "";
   if (!option->nonpositional()) return many;  // the name of a positional says what it is
   const std::string type = option->get_type_name();
   return " " + get_label(type.substr(0, type.find(':'))) + many;
@@ -51,7 +54,8 @@ std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
 
 std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
   std::string text = option->get_description();
-  if (!option->get_default_str().empty()) text += " [" + option->get_default_str() + "]";
+  const bool may_stand_alone = option->get_items_expected_min() == 0;  // the default is then said
+  if (!option->get_default_str().empty() && !may_stand_alone) text += " [" + option->get_default_str() + "]";
   if (option->get_required() && option->nonpositional()) text += " (required)";
   return Wrap(text);
 }

@@ -36,12 +36,18 @@ TEST_F(HelpFormatterTest, MarksRequiredOptionsAndLists) {
   app_.add_option("--out", number_, "Where")->required();
   app_.add_option("INPUT", words_, "What")->required();
   EXPECT_THAT(app_.help(), HasSubstr("Where (required)\n"));
-  EXPECT_THAT(app_.help(), ContainsRegex("INPUT… +What\n"));
+  EXPECT_THAT(app_.help(), ContainsRegex("INPUT\\.\\.\\. +What\n"));
 }
 
 TEST_F(HelpFormatterTest, WrapsLongDescriptionsBetweenWords) {
   app_.add_option("--long", number_, std::string(40, 'a') + " " + std::string(40, 'b'));
   EXPECT_THAT(app_.help(), HasSubstr("a\n                                b"));
+}
+
+TEST_F(HelpFormatterTest, ShowsNoDefaultWhereTheValueMayBeLeftOut) {
+  std::string file;
+  app_.add_option("--json", file, "To a file")->expected(0, 1)->default_str("-");
+  EXPECT_THAT(app_.help(), HasSubstr("To a file\n"));
 }
 
 TEST_F(HelpFormatterTest, KeepsFlagsBare) {

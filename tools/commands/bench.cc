@@ -69,8 +69,12 @@ Json ToJson(const experiments::BenchmarkResult& result) {
           {"details", result.details}};
 }
 
-// Three digits; "-" for what is not known.
-std::string Figure(double value) { return std::isnan(value) ? "-" : fmt::format("{:.3g}", value); }
+// About three digits; "-" for what is not known.
+std::string Figure(double value) {
+  if (std::isnan(value)) return "-";
+  const int num_decimals = value >= 100.0 ? 0 : value >= 10.0 ? 1 : value >= 1.0 ? 2 : 4;
+  return fmt::format("{:.{}f}", value, num_decimals);
+}
 
 std::string ToText(const std::vector<experiments::BenchmarkResult>& results) {
   TextTable table({"name", "ours [ms]", "peer [ms]", "ratio", "dissertation [ms]", "peer"});

@@ -33,11 +33,10 @@ void AddPolicyOptions(CLI::App& command, datasets::CornellOptions& cornell) {
                   cornell.dont_care_margin_px,
                   "Nothing nearer than this to a rectangle is called bad [px]")
       ->capture_default_str();
-  command
-      .add_flag("--negative-rectangles,!--no-negative-rectangles",
-                cornell.use_negative_rectangles,
-                "Call the inside of negative rectangles (cneg) bad (on unless refused)")
-      ->default_str("true");
+  command.add_flag_callback(
+      "--no-negative-rectangles",
+      [&cornell] { cornell.use_negative_rectangles = false; },
+      "Do not call the inside of negative rectangles (cneg) bad");
   command
       .add_option("--instance-span",
                   cornell.instance_span,

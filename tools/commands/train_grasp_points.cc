@@ -177,10 +177,20 @@ void PrintText(const Console& console,
   console.out << table.ToText();
 }
 
+// The images may not have as many good pixels as were asked for; rounding is not worth a word.
+void WarnOfFewSamples(const datasets::SamplingOptions& sampling,
+                      const logistic::Summary& summary,
+                      const Console& console) {
+  if (summary.num_samples >= sampling.num_samples / 100 * 99) return;
+  console.Warn(fmt::format(
+      "{} samples were asked for; the images give {}", sampling.num_samples, summary.num_samples));
+}
+
 void RunTrainGraspPoints(const TrainGraspPointsOptions& options, const Console& console) {
   RequireWritable(options.out);
   const Training training = Train(options, console);
   RequireUsable(training.result.summary, FeatureNames(training.spec), console);
+  WarnOfFewSamples(options.sampling, training.result.summary, console);
   const std::vector<std::uint8_t> bytes = ModelBytes(options, training);
   WriteFileAtomically(options.out, bytes);
   if (options.json) {

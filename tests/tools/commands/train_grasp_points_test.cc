@@ -76,6 +76,14 @@ TEST_F(TrainGraspPoints, GivesTheSameBytesForAnyNumberOfThreads) {
   EXPECT_NE(ReadFile(model_), one_thread);
 }
 
+TEST_F(TrainGraspPoints, SaysThatThereAreFewerSamplesThanAskedFor) {
+  const Outcome outcome =
+      RunLine("train grasp-points " + set_.string() + " --out " + model_.string() +
+              " --samples 1000000 --ridge 1 --features edges54");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("warning: 1000000 samples were asked for; the images give "));
+}
+
 TEST_F(TrainGraspPoints, ReplacesAModelOnlyWhenThereIsANewOne) {
   WriteFileAtomically(model_, "old");
   EXPECT_EQ(Train("--max-iterations 1 --warm-start 0").code, 4);
