@@ -45,6 +45,15 @@ class Descriptor {
   int value_;
 };
 
+void WriteAll(const Descriptor& file, const fs::path& path, std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file.value(), bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) Fail(path, "write", errno);
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+}
+
 // A temporary file that goes away unless it was renamed into place.
 class TemporaryFile {
  public:
@@ -59,12 +68,7 @@ class TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   void Write(const fs::path& target, std::span<const std::uint8_t> bytes) {
-    while (!bytes.empty()) {
-      const ssize_t written = ::write(descriptor_.value(), bytes.data(), bytes.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) Fail(target, "write", errno);
-      bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
+    WriteAll(descriptor_, target, bytes);
   }
 
   void MoveTo(const fs::path& target) {
@@ -119,9 +123,17 @@ std::string ReadTextFile(const fs::path& path) {
 }
 
 void WriteFileAtomically(const fs::path& path, std::span<const std::uint8_t> bytes) {
-  TemporaryFile file(path);
+  std::error_code no_such_file;
+  const fs::file_status status = fs::status(path, no_such_file);
+  if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
+    const Descriptor stream(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    if (stream.value() < 0) Fail(path, "open", errno);
+    return WriteAll(stream, path, bytes);
+  }
+  const fs::path target = fs::exists(status) ? fs::canonical(path) : path;
+  TemporaryFile file(target);
   file.Write(path, bytes);
-  file.MoveTo(path);
+  file.MoveTo(target);
 }
 
 void WriteFileAtomically(const fs::path& path, std::string_view text) {

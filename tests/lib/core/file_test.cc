@@ -3,7 +3,10 @@
 
 #include "lib/core/file.h"
 
+#include <fcntl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <iterator>
@@ -55,6 +58,38 @@ TEST(WriteFileAtomically, ReplacesAFileAndLeavesNothingElse) {
   WriteFileAtomically(folder / "f", "new");
   EXPECT_EQ(ReadTextFile(folder / "f"), "new");
   EXPECT_EQ(NumEntries(folder.path()), 1U);
+}
+
+TEST(WriteFileAtomically, ReplacesTheTargetOfALink) {
+  const testing::TemporaryDirectory folder;
+  WriteFileAtomically(folder / "target", "old");
+  std::filesystem::create_symlink("target", folder / "link");
+  WriteFileAtomically(folder / "link", "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+  EXPECT_EQ(ReadTextFile(folder / "target"), "new");
+  EXPECT_EQ(NumEntries(folder.path()), 2U);
+}
+
+TEST(WriteFileAtomically, WritesIntoAPipeAndLeavesItAPipe) {
+  const testing::TemporaryDirectory folder;
+  const std::filesystem::path pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  WriteFileAtomically(pipe, "text");
+  char buffer[16] = {};
+  EXPECT_EQ(::read(reader, buffer, sizeof buffer), 4);
+  EXPECT_STREQ(buffer, "text");
+  ::close(reader);
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+}
+
+TEST(WriteFileAtomically, SaysThatADeviceIsFull) {
+  if (!std::filesystem::is_character_file("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  EXPECT_THROWS_MESSAGE(WriteFileAtomically("/dev/full", "x"),
+                        Error,
+                        HasSubstr("cannot write: No space left on device (free some space"));
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
 }
 
 TEST(WriteFileAtomically, NeedsTheFolder) {
