@@ -19,8 +19,10 @@
 #include "lib/core/check.h"
 #include "lib/core/error.h"
 #include "lib/core/fields.h"
+#include "lib/core/file.h"
 #include "lib/core/rng.h"
 #include "lib/features/pixel_features.h"
+#include "lib/perception/image_header.h"
 #include "lib/perception/image_io.h"
 
 namespace handcraft::datasets {
@@ -57,6 +59,31 @@ PixelCounts CountPixels(const Image& mask) {
     return static_cast<std::size_t>(std::count(mask.values().begin(), mask.values().end(), value));
   };
   return {.good = count(kMaskGood), .bad = count(kMaskBad)};
+}
+
+// Throws when the picture's file is at fault or has another size than its mask. The header has the
+// size before a JPEG rotation tag is applied: a picture that seems not to fit is decoded to be
+// sure.
+void CheckPicture(const LabelledImageSet& set, std::size_t index, const Image& mask) {
+  const std::filesystem::path path = set.root / set.items[index].image;
+  const perception::ImageHeader header = perception::ReadImageHeader(path, ReadFile(path));
+  if (header.width == mask.width() && header.height == mask.height()) return;
+  static_cast<void>(ReadLabelledPicture(set, index));
+}
+
+void TellLeftOut(const LabelledImageSet& set,
+                 const std::vector<std::size_t>& images,
+                 const std::vector<PixelCounts>& available,
+                 const SamplingOptions& options) {
+  if (!options.left_out) return;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const auto [good, bad] = available[i];
+    if (good > 0 && bad > 0) continue;
+    options.left_out(set.items[images[i]].image,
+                     good > 0  ? "no bad pixel"
+                     : bad > 0 ? "no good pixel"
+                               : "no good and no bad pixel");
+  }
 }
 
 std::vector<PixelIndex> PixelsOf(const Image& mask, std::uint8_t value) {
@@ -227,11 +254,15 @@ std::vector<PixelSample> DrawSamples(const LabelledImageSet& set, const Sampling
     ParallelForReporting(images.size(), options.num_threads, options.progress, stage, task);
   };
   std::vector<PixelCounts> available(images.size());
-  for_each_image("counting labelled pixels",
-                 [&](std::size_t i) { available[i] = CountPixels(ReadMask(set, images[i])); });
+  for_each_image("counting labelled pixels", [&](std::size_t i) {
+    const Image mask = ReadMask(set, images[i]);
+    CheckPicture(set, images[i], mask);
+    available[i] = CountPixels(mask);
+  });
   const std::vector<PixelCounts> quotas =
       ShareSamples(available, options.num_samples, options.bad_per_good);
   CheckQuotas(set, available, quotas, options);
+  TellLeftOut(set, images, available, options);
 
   std::vector<std::vector<PixelSample>> drawn(images.size());
   for_each_image("drawing pixels", [&](std::size_t i) {

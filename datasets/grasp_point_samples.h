@@ -5,6 +5,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "datasets/formats/labelled_image_set.h"
@@ -23,6 +26,8 @@ struct SamplingOptions {
   std::uint64_t seed = 1;
   int num_threads = 1;
   Progress progress = {};
+  /// Told, in the order of the set, each image that is left out, and why ("no good pixel").
+  std::function<void(const std::string& image, std::string_view reason)> left_out = {};
 
   /// Throws Error(kUsage) naming field, value and rule.
   void Validate() const;
@@ -54,8 +59,10 @@ struct PixelSample {
 ///
 /// Which pixels of an image come first is a matter of the seed and the image's name alone: another
 /// image, or another number of samples, changes how many are taken and never their order.
-/// Deterministic for any number of threads. Reads the masks alone, twice, one a thread at a time.
-/// Throws Error when no image has both kinds, or a class would get no pixel at all.
+/// Deterministic for any number of threads. Reads the masks twice, one a thread at a time, and
+/// walks each picture's file once without decoding it. Throws Error when a picture cannot be read
+/// or its mask has another size, even if nothing would be drawn from it; when no image has both
+/// kinds, or a class would get no pixel at all.
 [[nodiscard]] std::vector<PixelSample> DrawSamples(const LabelledImageSet& set,
                                                    const SamplingOptions& options);
 

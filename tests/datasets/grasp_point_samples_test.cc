@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "lib/core/error.h"
+#include "lib/core/file.h"
 #include "lib/features/pixel_features.h"
 #include "lib/perception/image_io.h"
 #include "tests/datasets/small_image_set.h"
@@ -23,6 +24,7 @@ namespace {
 using testing::AddPicture;
 using ::testing::AllOf;
 using testing::CountedMask;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::NoiseImage;
 using ::testing::SizeIs;
@@ -264,6 +266,36 @@ TEST(DrawSamples, SaysWhyThereAreNone) {
   EXPECT_THROWS_MESSAGE(DrawSamples(set, {.num_samples = 4, .bad_per_good = 99.0}),
                         Error,
                         AllOf(HasSubstr("4 samples with 99 bad ones"), HasSubstr("no good pixel")));
+}
+
+TEST(DrawSamples, TellsWhatIsLeftOut) {
+  const TemporaryDirectory folder;
+  LabelledImageSet set = MakeSet(folder.path());
+  AddPicture(set, "e", NoiseImage(8, 8, 3, 5), CountedMask(8, 8, 4, 0));
+  AddPicture(set, "f", NoiseImage(8, 8, 3, 6), CountedMask(8, 8, 0, 0));
+  std::vector<std::string> told;
+  SamplingOptions options{.num_samples = 200, .num_threads = 2};
+  options.left_out = [&](const std::string& image, std::string_view reason) {
+    told.push_back(image + ": " + std::string(reason));
+  };
+  static_cast<void>(DrawSamples(set, options));
+  EXPECT_THAT(
+      told,
+      ElementsAre(
+          "d.png: no good pixel", "e.png: no bad pixel", "f.png: no good and no bad pixel"));
+}
+
+// "d" gives no sample; a fault in it must not pass for that.
+TEST(DrawSamples, RefusesAFaultyPictureEvenIfNothingIsDrawnFromIt) {
+  const TemporaryDirectory folder;
+  const LabelledImageSet set = MakeSet(folder.path());
+  perception::WritePng(folder / "d_mask.png", Image(20, 30, 1, kMaskBad));
+  EXPECT_THROWS_MESSAGE(DrawSamples(set, {}),
+                        Error,
+                        HasSubstr("d_mask.png: the mask is 20x30 pixels, its picture 40x30"));
+  perception::WritePng(folder / "d_mask.png", Image(40, 30, 1, kMaskBad));
+  WriteFileAtomically(folder / "d.png", "no picture");
+  EXPECT_THROWS_MESSAGE(DrawSamples(set, {}), Error, HasSubstr("d.png"));
 }
 
 TEST(SamplingOptions, NamesTheFieldAtFault) {

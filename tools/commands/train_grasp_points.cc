@@ -8,6 +8,7 @@
 #include <ostream>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -49,6 +50,8 @@ struct TrainGraspPointsOptions {
 struct Training {
   features::FeatureSpec spec;
   datasets::LabelledImageSet set;
+  std::size_t num_images = 0;  // that gave samples
+  std::vector<std::string> left_out;
   logistic::Result result;
 };
 
@@ -59,9 +62,17 @@ std::vector<std::string> FeatureNames(const features::FeatureSpec& spec) {
   return names;
 }
 
+std::size_t NumImages(const std::vector<datasets::PixelSample>& pixels) {
+  std::set<std::uint32_t> images;
+  for (const datasets::PixelSample& pixel : pixels) images.insert(pixel.image);
+  return images.size();
+}
+
 Training Train(const TrainGraspPointsOptions& options, const Console& console) {
   Training training{.spec = features::ParseFeatureSpec(options.features),
                     .set = datasets::ReadLabelledImageSet(options.dataset).Only(options.split),
+                    .num_images = 0,
+                    .left_out = {},
                     .result = {}};
   ProgressBar bar(console);
   datasets::SamplingOptions sampling = options.sampling;
@@ -69,10 +80,15 @@ Training Train(const TrainGraspPointsOptions& options, const Console& console) {
   sampling.seed = logistic.seed = options.seed;
   sampling.num_threads = logistic.num_threads = options.num_threads;
   sampling.progress = logistic.progress = bar.Callback();
+  sampling.left_out = [&](const std::string& image, std::string_view reason) {
+    training.left_out.push_back(fmt::format("left out: {}, {}", image, reason));
+  };
   sampling.Validate();
   logistic.Validate();
-  const datasets::GraspPointSamples samples = datasets::ComputeSampleFeatures(
-      training.set, datasets::DrawSamples(training.set, sampling), training.spec, sampling);
+  const std::vector<datasets::PixelSample> pixels = datasets::DrawSamples(training.set, sampling);
+  training.num_images = NumImages(pixels);
+  const datasets::GraspPointSamples samples =
+      datasets::ComputeSampleFeatures(training.set, pixels, training.spec, sampling);
   const logistic::DesignMatrix<float> matrix{.data = samples.features.data(),
                                              .num_samples = samples.num_samples(),
                                              .num_features = samples.num_features,
@@ -107,7 +123,7 @@ model_io::Provenance ProvenanceOf(const TrainGraspPointsOptions& options,
   provenance.hyper_parameters.merge(FieldsToText(logistic, "irls."));
   provenance.hyper_parameters["split"] = options.split;
   provenance.metrics = {{"train.num_samples", NumberToText(summary.num_samples)},
-                        {"train.num_images", NumberToText(training.set.items.size())},
+                        {"train.num_images", NumberToText(training.num_images)},
                         {"train.deviance", NumberToText(summary.deviance)},
                         {"train.null_deviance", NumberToText(summary.null_deviance)},
                         {"train.gradient_norm", NumberToText(summary.gradient_norm)},
@@ -140,7 +156,7 @@ void PrintJson(const Console& console,
                  {"sha256", sha256},
                  {"features", features::ToString(training.spec)},
                  {"num_features", training.spec.NumFeatures()},
-                 {"num_images", training.set.items.size()},
+                 {"num_images", training.num_images},
                  {"num_samples", summary.num_samples},
                  {"num_good", summary.num_positive},
                  {"log_loss", LogLossOf(summary)},
@@ -158,7 +174,11 @@ void PrintText(const Console& console,
                const std::string& sha256) {
   const logistic::Summary& summary = training.result.summary;
   TextTable table;
-  table.AddRow({"images", fmt::format("{} ({})", training.set.items.size(), options.split)});
+  table.AddRow({"images",
+                fmt::format("{} of {} ({})",
+                            training.num_images,
+                            training.set.items.size(),
+                            options.split.empty() ? "all" : options.split)});
   table.AddRow({"samples",
                 fmt::format("{} ({} good, {} bad)",
                             summary.num_samples,
@@ -189,6 +209,7 @@ void WarnOfFewSamples(const datasets::SamplingOptions& sampling,
 void RunTrainGraspPoints(const TrainGraspPointsOptions& options, const Console& console) {
   RequireWritable(options.out);
   const Training training = Train(options, console);
+  for (const std::string& warning : training.left_out) console.Warn(warning);
   RequireUsable(training.result.summary, FeatureNames(training.spec), console);
   WarnOfFewSamples(options.sampling, training.result.summary, console);
   const std::vector<std::uint8_t> bytes = ModelBytes(options, training);

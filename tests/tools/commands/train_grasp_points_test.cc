@@ -132,6 +132,31 @@ TEST_F(TrainGraspPoints, NamesTheMaskThatDoesNotFit) {
   ExpectNothingLeft();
 }
 
+TEST_F(TrainGraspPoints, NamesTheMaskThatDoesNotFitThoughItHasOneClass) {
+  perception::WritePng(set_ / "p1.mask.png", Image(10, 10, 1, datasets::kMaskBad));
+  const Outcome outcome = Train();
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("p1.mask.png: the mask is 10x10 pixels, its picture 64x48"));
+  ExpectNothingLeft();
+}
+
+TEST_F(TrainGraspPoints, WarnsOfAPictureLeftOut) {
+  perception::WritePng(set_ / "p1.mask.png", Image(64, 48, 1, datasets::kMaskBad));
+  const Outcome outcome = Train("--json");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.err, "handcraft: warning: left out: p1.png, no good pixel\n");
+  EXPECT_EQ(nlohmann::json::parse(outcome.out)["num_images"], 3);
+}
+
+TEST_F(TrainGraspPoints, CountsTheImagesThatGaveSamples) {
+  const Outcome outcome = Train("--image-share 0.5");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("2 of 4 (train)"));
+  const auto json = nlohmann::json::parse(RunLine("inspect --json " + model_.string()).out);
+  EXPECT_EQ(json["metadata"]["hc.metrics.train.num_images"], "2");
+  EXPECT_EQ(nlohmann::json::parse(Train("--image-share 0.5 --json").out)["num_images"], 2);
+}
+
 TEST_F(TrainGraspPoints, RefusesMasksOfOneClass) {
   for (int i = 0; i < 6; ++i) {
     perception::WritePng(set_ / ("p" + std::to_string(i) + ".mask.png"), Image(64, 48, 1, 0));
