@@ -23,6 +23,9 @@ std::span<const Benchmark> AllBenchmarks() {
       Benchmark{"load_model",
                 "load a 500-feature model: checksum, verification, self-test",
                 &BenchmarkLoadModel},
+      Benchmark{"train_irls_154188x500",
+                "logistic regression on 154188 samples with 500 pixel features in memory, one core",
+                &BenchmarkTrainIrls},
   };
   return kBenchmarks;
 }

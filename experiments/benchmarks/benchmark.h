@@ -49,5 +49,6 @@ struct Benchmark {
 BenchmarkResult BenchmarkScoreAll500Vga(const BenchmarkOptions& options);
 BenchmarkResult BenchmarkScoreEdges54Vga(const BenchmarkOptions& options);
 BenchmarkResult BenchmarkLoadModel(const BenchmarkOptions& options);
+BenchmarkResult BenchmarkTrainIrls(const BenchmarkOptions& options);
 
 }  // namespace handcraft::experiments

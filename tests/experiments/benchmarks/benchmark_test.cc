@@ -18,7 +18,8 @@ TEST(AllBenchmarks, HaveNamesOfTheirOwn) {
     EXPECT_FALSE(benchmark.what.empty());
     EXPECT_NE(benchmark.run, nullptr);
   }
-  for (const char* name : {"score_all500_vga", "score_edges54_vga", "load_model"}) {
+  for (const char* name :
+       {"score_all500_vga", "score_edges54_vga", "load_model", "train_irls_154188x500"}) {
     EXPECT_TRUE(names.contains(name)) << name;
   }
 }
