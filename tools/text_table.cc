@@ -18,7 +18,7 @@ std::size_t DisplayWidth(std::string_view text) {
 }
 
 bool LooksLikeANumber(std::string_view text) {
-  return text.empty() || text == "-" || text == "nan" ||
+  return text.empty() || text == "-" || text == "–" || text == "nan" ||
          text.find_first_of("0123456789") == (text.find_first_of("+-") == 0 ? 1U : 0U);
 }
 

@@ -18,11 +18,11 @@ constexpr std::size_t kMaxNamesShown = 5;
 std::string_view RemedyFor(logistic::Termination termination) noexcept {
   switch (termination) {
     case logistic::Termination::kSeparated:
-      return "give more samples, fewer features, or --ridge 1";
+      return "give --ridge 1, more samples or fewer features";
     case logistic::Termination::kIterationLimit:
       return "raise --max-iterations, or give --ridge 1";
     default:
-      return "give --ridge 1";
+      return "give --ridge 1 or --hessian double";
   }
 }
 
@@ -49,6 +49,7 @@ void RequireUsable(const logistic::Summary& summary,
                    const std::vector<std::string>& feature_names,
                    const Console& console) {
   if (!IsUsable(summary)) {
+    // The trainer's own advice names fields of its options; here people give arguments.
     throw Error({.kind = Error::Kind::kNoResult,
                  .reason = "no model: " + summary.message,
                  .remedy = std::string(RemedyFor(summary.termination))});

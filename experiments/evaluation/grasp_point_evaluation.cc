@@ -6,6 +6,8 @@
 #include <atomic>
 #include <thread>
 
+#include <fmt/format.h>
+
 #include "experiments/evaluation/evaluation_pixels.h"
 #include "experiments/evaluation/grasp_point_figures.h"
 #include "experiments/evaluation/option_rules.h"
@@ -39,6 +41,18 @@ ImageScore ScoreItem(const hc_model* model,
     score.labels.push_back(pixel.label);
   }
   return score;
+}
+
+// Every figure stands on pixels that are labelled good or bad.
+void RequireMeasurable(const datasets::LabelledImageSet& set,
+                       const GraspPointEvaluation& evaluation) {
+  if (evaluation.all.confusion.Total() > 0) return;
+  throw Error({.kind = Error::Kind::kNoResult,
+               .path = set.root.string(),
+               .reason = fmt::format("nothing to measure: no pixel of the {} images is labelled "
+                                     "good or bad, all are don't care",
+                                     set.items.size()),
+               .remedy = "label pixels in the masks, or evaluate on other images"});
 }
 
 }  // namespace
@@ -95,6 +109,7 @@ GraspPointEvaluation EvaluateGraspPoints(const hc_model* model,
   });
   Report(options.progress, "evaluate", set.items.size(), set.items.size());
   FormFigures(set, evaluation);
+  RequireMeasurable(set, evaluation);
   return evaluation;
 }
 

@@ -70,7 +70,9 @@ struct GraspPointEvaluation {
   std::vector<RocPoint> roc;
 };
 
-/// Scores every image of the set with the runtime and forms the figures.
+/// Scores every image of the set with the runtime and forms the figures. Figures that need good and
+/// bad pixels are NaN when one kind is missing. Throws Error: kBadInput on a set without images,
+/// kNoResult when no pixel is labelled good or bad.
 [[nodiscard]] GraspPointEvaluation EvaluateGraspPoints(const hc_model* model,
                                                        const datasets::LabelledImageSet& set,
                                                        const EvaluationOptions& options);

@@ -19,7 +19,8 @@ struct Share {
 };
 
 // The share over all images with its interval. Where all images agree on 0 or on 1 the bootstrap
-// would claim certainty; the Wilson interval of that many images says what they can tell.
+// would claim certainty; the Wilson interval of that many images says what they can tell. One image
+// says nothing of how images vary: no interval.
 Estimate EstimateShare(const std::vector<Share>& shares, const EvaluationOptions& options) {
   std::vector<Share> counted;
   for (const Share& share : shares) {
@@ -39,6 +40,7 @@ Estimate EstimateShare(const std::vector<Share>& shares, const EvaluationOptions
                                                 options.bootstrap_resamples,
                                                 options.seed,
                                                 options.num_threads);
+  if (counted.size() < 2) return estimate;
   if (estimate.value == 0.0) return WilsonInterval(0, counted.size());
   if (estimate.value == 1.0) return WilsonInterval(counted.size(), counted.size());
   return estimate;

@@ -27,6 +27,8 @@ struct ConfusionMatrix {
   [[nodiscard]] std::size_t Total() const noexcept {
     return true_positive + false_positive + true_negative + false_negative;
   }
+  [[nodiscard]] std::size_t NumGood() const noexcept { return true_positive + false_negative; }
+  [[nodiscard]] std::size_t NumBad() const noexcept { return false_positive + true_negative; }
   [[nodiscard]] double Accuracy() const noexcept;  ///< NaN when empty
   ConfusionMatrix& operator+=(const ConfusionMatrix& other) noexcept;
 };

@@ -14,6 +14,7 @@ namespace {
 using logistic::Termination;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class TrainingOutcome : public ::testing::Test {
  protected:
@@ -21,6 +22,7 @@ class TrainingOutcome : public ::testing::Test {
     logistic::Summary summary;
     summary.termination = termination;
     summary.message = "the trainer's words";
+    summary.advice = "set a ridge";
     return summary;
   }
 
@@ -58,7 +60,9 @@ TEST_F(TrainingOutcome, RefusesWhatIsNoOptimum) {
     EXPECT_FALSE(IsUsable(Ended(termination)));
     EXPECT_THROWS_MESSAGE(RequireUsable(Ended(termination), {}, console_),
                           Error,
-                          AllOf(HasSubstr("no model: the trainer's words"), HasSubstr("--ridge")));
+                          AllOf(HasSubstr("no model: the trainer's words"),
+                                HasSubstr("--ridge"),
+                                Not(HasSubstr("set a ridge"))));
     try {
       RequireUsable(Ended(termination), {}, console_);
     } catch (const Error& error) {

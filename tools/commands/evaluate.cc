@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <ostream>
@@ -32,14 +33,36 @@ struct EvaluateOptions {
   experiments::EvaluationOptions evaluation;
 };
 
-std::string Percent(double share) { return fmt::format("{:.2f} %", 100.0 * share); }
+// What cannot be formed is NaN, shown as a dash.
+std::string Percent(double share) {
+  return std::isnan(share) ? "–" : fmt::format("{:.2f} %", 100.0 * share);
+}
+
+std::string IntervalText(const experiments::Estimate& estimate) {
+  if (std::isnan(estimate.low) || std::isnan(estimate.high)) return "–";
+  return fmt::format("{} to {}", Percent(estimate.low), Percent(estimate.high));
+}
+
+// `what` is counted ("rows"). Says why figures are missing when one class has no sample.
+void WarnOfOneClass(const experiments::ConfusionMatrix& matrix,
+                    const std::string& what,
+                    const std::string& negative,
+                    const std::string& positive,
+                    const Console& console) {
+  if (matrix.NumGood() > 0 && matrix.NumBad() > 0) return;
+  console.Warn(
+      fmt::format("all {} {} are labelled '{}': figures that need '{}' as well, as the area under "
+                  "the ROC curve, are left out",
+                  matrix.Total(),
+                  what,
+                  matrix.NumGood() > 0 ? positive : negative,
+                  matrix.NumGood() > 0 ? negative : positive));
+}
 
 void AddEstimateRow(const std::string& name,
                     const experiments::Estimate& estimate,
                     TextTable& table) {
-  table.AddRow({name,
-                Percent(estimate.value),
-                fmt::format("{} to {}", Percent(estimate.low), Percent(estimate.high))});
+  table.AddRow({name, Percent(estimate.value), IntervalText(estimate)});
 }
 
 // Rows: the truth; columns: what the model says at the threshold.
@@ -114,6 +137,7 @@ void EvaluateGraspPoints(const hc_model* model,
   const experiments::GraspPointEvaluation evaluation =
       experiments::EvaluateGraspPoints(model, set, evaluation_options);
   bar.Clear();
+  WarnOfOneClass(evaluation.all.confusion, "pixels measured", "bad", "good", console);
   if (!options.html.empty()) {
     experiments::WriteHtmlReport(options.html, evaluation, set, model);
   }
@@ -154,6 +178,8 @@ void EvaluateTable(const hc_model* model, const EvaluateOptions& options, const 
                                   .bootstrap_resamples = options.evaluation.bootstrap_resamples,
                                   .seed = options.evaluation.seed,
                                   .num_threads = options.evaluation.num_threads});
+  WarnOfOneClass(
+      evaluation.confusion, "rows", evaluation.negative_label, evaluation.positive_label, console);
   WriteJson(console, options.json, experiments::ToJson(evaluation));
   if (options.json != "-") PrintTable(console, options, evaluation);
 }

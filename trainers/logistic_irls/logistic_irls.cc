@@ -169,9 +169,10 @@ DescentEnd Training::Descend() {
 
 void Training::Describe(DescentEnd end) {
   Summary& summary = result_.summary;
-  const auto set = [&](Termination termination, std::string message) {
+  const auto set = [&](Termination termination, std::string message, std::string advice = {}) {
     summary.termination = termination;
     summary.message = std::move(message);
+    summary.advice = std::move(advice);
   };
   switch (end) {
     case DescentEnd::kReached:
@@ -187,25 +188,27 @@ void Training::Describe(DescentEnd end) {
                              objective_.NumFeatures()));
     case DescentEnd::kIterationLimit:
       return set(Termination::kIterationLimit,
-                 fmt::format("not converged after {} Newton steps: gradient norm {:.3g} a sample; "
-                             "raise max_iterations",
+                 fmt::format("not converged after {} Newton steps: gradient norm {:.3g} a sample",
                              summary.iterations,
-                             summary.gradient_norm));
+                             summary.gradient_norm),
+                 "raise max_iterations");
     case DescentEnd::kCompletelySeparated:
       return set(Termination::kSeparated,
                  "complete separation: a plane tells the classes apart without a mistake, so the "
-                 "weights would grow for ever; set a ridge or add samples");
+                 "weights would grow for ever",
+                 "set a ridge or add samples");
     case DescentEnd::kQuasiSeparated:
       return set(
           Termination::kSeparated,
           "quasi-complete separation: along some direction no sample loses and some gain, so "
-          "weights would grow for ever; set a ridge, or drop the features with huge weights");
+          "weights would grow for ever",
+          "set a ridge, or drop the features with huge weights");
     case DescentEnd::kNoDescent:
       return set(
           Termination::kNumericalFailure,
-          fmt::format("no step lowers the deviance any more, at gradient norm {:.3g} a sample; "
-                      "set a ridge, or the Hessian's precision to double",
-                      summary.gradient_norm));
+          fmt::format("no step lowers the deviance any more, at gradient norm {:.3g} a sample",
+                      summary.gradient_norm),
+          "set a ridge, or the Hessian's precision to double");
   }
 }
 

@@ -68,7 +68,8 @@ enum class Termination {
 
 struct Summary {
   Termination termination = Termination::kNotRun;
-  std::string message = "TrainLogistic was not called";
+  std::string message = "TrainLogistic was not called";  ///< what happened
+  std::string advice = {};        ///< which options to change; empty when there is an optimum
   int iterations = 0;             ///< steps taken, gradients always of all samples
   int warm_start_iterations = 0;  ///< how many of them with a Hessian from a share of the samples
   int step_halvings = 0;

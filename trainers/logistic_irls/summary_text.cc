@@ -65,7 +65,7 @@ std::string FitLines(const Summary& summary) {
       summary.num_samples - std::min(summary.num_samples, summary.rank),
       summary.aic,
       NameOf(summary.termination),
-      summary.message,
+      summary.advice.empty() ? summary.message : summary.message + "; " + summary.advice,
       summary.iterations,
       summary.warm_start_iterations,
       summary.step_halvings,

@@ -137,6 +137,22 @@ TEST_F(EvaluateEdges, RefusesAnotherKindOfModelAndAnEmptySet) {
                         AllOf(HasSubstr("empty"), HasSubstr("no images")));
 }
 
+TEST_F(EvaluateEdges, HasNoResultWithoutALabelledPixel) {
+  for (const auto& item : set_.items) {
+    perception::WritePng(folder_ / item.mask,
+                         Image(testing::kEdgeWidth, testing::kEdgeHeight, 1, 128));
+  }
+  try {
+    static_cast<void>(EvaluateGraspPoints(model_.get(), set_, {}));
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.details().kind, Error::Kind::kNoResult);
+    EXPECT_THAT(error.what(),
+                AllOf(HasSubstr(folder_.path().string()),
+                      HasSubstr("no pixel of the 5 images is labelled good or bad")));
+  }
+}
+
 TEST(EvaluationOptions, HaveTheDissertationsDefaults) {
   const EvaluationOptions options;
   EXPECT_EQ(options.best_pixels, 15);

@@ -116,6 +116,22 @@ TEST(ComputeGroupFigures, HasNoIntervalForOneImage) {
   EXPECT_TRUE(std::isnan(figures.auc.high));
 }
 
+TEST(ComputeGroupFigures, HasNoIntervalForOneImageThatIsAllRightOrAllWrong) {
+  for (const std::uint8_t ground : {datasets::kMaskGood, datasets::kMaskBad}) {
+    std::vector<ImageScore> images(1);
+    images[0].best = {{0, 0, 0.95F, ground}};
+    images[0].probabilities = {0.95F};
+    images[0].labels = {static_cast<std::uint8_t>(ground == datasets::kMaskGood)};
+    const GroupFigures figures = ComputeGroupFigures("all", PointersTo(images), {});
+    const double share = ground == datasets::kMaskGood ? 1.0 : 0.0;
+    for (const Estimate& estimate : {figures.best_pixel_accuracy, figures.accuracy}) {
+      EXPECT_EQ(estimate.value, share);
+      EXPECT_TRUE(std::isnan(estimate.low));
+      EXPECT_TRUE(std::isnan(estimate.high));
+    }
+  }
+}
+
 TEST(ComputeGroupFigures, DoesNotDependOnThreads) {
   const std::vector<ImageScore> images = RandomImages(2);
   const GroupFigures one = ComputeGroupFigures("all", PointersTo(images), {.num_threads = 1});

@@ -1,10 +1,16 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "datasets/formats/labelled_image_set.h"
 #include "lib/core/file.h"
+#include "lib/perception/image_io.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/tools/support/generated_data.h"
 #include "tests/tools/support/run.h"
@@ -14,7 +20,9 @@ namespace {
 
 using handcraft::testing::TemporaryDirectory;
 using ::testing::AllOf;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::NumEntries;
 using testing::Outcome;
 using testing::RunLine;
@@ -35,6 +43,15 @@ class EvaluateTest : public ::testing::Test {
                                  const std::string& options = "") const {
     return RunLine("evaluate " + (folder_ / model).string() + " " + (folder_ / data).string() +
                    " --resamples 50 " + options);
+  }
+
+  // Gives every pixel of the set the same label.
+  void PaintMasks(std::uint8_t value) const {
+    for (const auto& item : datasets::ReadLabelledImageSet(folder_ / "set").items) {
+      const std::filesystem::path mask = folder_ / "set" / item.mask;
+      const Image old = perception::ReadImage(mask);
+      perception::WritePng(mask, Image(old.width(), old.height(), 1, value));
+    }
   }
 
   TemporaryDirectory folder_;
@@ -94,6 +111,42 @@ TEST_F(EvaluateTest, MeasuresATable) {
   const auto json = nlohmann::json::parse(Evaluate("logistic", "t.csv", "--json").out);
   EXPECT_EQ(json["num_rows"], 60);
   EXPECT_GT(json["accuracy"].get<double>(), 0.6);
+}
+
+TEST_F(EvaluateTest, HasNoResultWithoutALabelledPixel) {
+  PaintMasks(datasets::kMaskDontCare);
+  const Outcome outcome = Evaluate("grasp", "set", "--html " + (folder_ / "e.html").string());
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err, HasSubstr("no pixel of the 2 images is labelled good or bad"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "e.html"));
+}
+
+TEST_F(EvaluateTest, LeavesOutWhatOneClassOfPixelsCannotTell) {
+  PaintMasks(datasets::kMaskBad);
+  const std::string html_file = (folder_ / "e.html").string();
+  Outcome outcome = Evaluate("grasp", "set", "--html " + html_file);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err,
+              AllOf(StartsWith("handcraft: warning: all "), HasSubstr("labelled 'bad'")));
+  EXPECT_THAT(outcome.out,
+              AllOf(ContainsRegex("area under the ROC curve +– +–\n"), Not(HasSubstr("nan"))));
+  EXPECT_THAT(ReadTextFile(html_file), AllOf(HasSubstr("–"), Not(HasSubstr("nan %"))));
+  outcome = Evaluate("grasp", "set", "--json");
+  EXPECT_TRUE(nlohmann::json::parse(outcome.out)["auc"].is_null());
+}
+
+TEST_F(EvaluateTest, LeavesOutWhatOneLabelOfATableCannotTell) {
+  WriteFileAtomically(folder_ / "one.csv", "x1,x2,class\n1,2,yes\n2,1,yes\n");
+  Outcome outcome = Evaluate("logistic", "one.csv");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err,
+            "handcraft: warning: all 2 rows are labelled 'yes': figures that need 'no' as well, as "
+            "the area under the ROC curve, are left out\n");
+  EXPECT_THAT(outcome.out,
+              AllOf(ContainsRegex("area under the ROC curve +– +–\n"), Not(HasSubstr("nan"))));
+  outcome = Evaluate("logistic", "one.csv", "--json");
+  EXPECT_TRUE(nlohmann::json::parse(outcome.out)["auc"].is_null());
 }
 
 TEST_F(EvaluateTest, RefusesDataOfTheOtherKind) {

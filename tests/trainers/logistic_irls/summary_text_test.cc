@@ -57,6 +57,13 @@ TEST(SummaryTable, IsLaidOutLikeRs) {
             "reciprocal condition 0\n");
 }
 
+TEST(SummaryTable, AddsTheAdviceToWhatHappened) {
+  Result result = SomeResult();
+  result.summary.advice = "set a ridge";
+  EXPECT_THAT(SummaryTable(result),
+              HasSubstr("rank_deficient: one feature left out; set a ridge\n"));
+}
+
 TEST(SummaryTable, NamesFeaturesByNumberAndSaysNaWithoutStandardErrors) {
   Result result = SomeResult();
   result.standard_errors.clear();
