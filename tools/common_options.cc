@@ -14,13 +14,20 @@
 
 namespace handcraft::tools {
 
+CLI::Validator NotNegative() {
+  const auto check = [](const std::string& text) {
+    return text.starts_with('-') ? text + " must be 0 or more" : std::string();
+  };
+  return {check, "NONNEGATIVE"};
+}
+
 void AddJsonFlag(CLI::App& command, bool& json) {
   command.add_flag("--json", json, "Print the result as JSON");
 }
 
 void AddSeedOption(CLI::App& command, std::uint64_t& seed) {
   command.add_option("--seed", seed, "Seed of every random draw; same seed, same data: same bytes")
-      ->check(CLI::NonNegativeNumber)
+      ->check(NotNegative())
       ->capture_default_str();
 }
 
@@ -68,6 +75,19 @@ void RequireWritable(const std::filesystem::path& path) {
   if (access(folder.c_str(), W_OK) != 0) {
     throw Error({.path = path.string(),
                  .reason = "cannot write: the folder " + folder.string() + " is not writable"});
+  }
+}
+
+void RequireNotAnInput(const std::filesystem::path& output,
+                       std::span<const std::filesystem::path> inputs) {
+  if (output.empty() || output == "-") return;
+  for (const std::filesystem::path& input : inputs) {
+    std::error_code ignored;  // what is not there cannot be overwritten
+    if (!std::filesystem::equivalent(output, input, ignored)) continue;
+    throw Error({.kind = Error::Kind::kUsage,
+                 .path = output.string(),
+                 .reason = "the result would overwrite the input " + input.string(),
+                 .remedy = "name another file"});
   }
 }
 

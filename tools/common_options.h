@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include <CLI/App.hpp>
@@ -12,6 +13,9 @@
 #include "tools/console.h"
 
 namespace handcraft::tools {
+
+/// Refuses a number that begins with a minus sign.
+[[nodiscard]] CLI::Validator NotNegative();
 
 /// Options that mean the same in every subcommand that has them.
 void AddJsonFlag(CLI::App& command, bool& json);
@@ -31,5 +35,10 @@ void SetExample(CLI::App& command, const std::string& line);
 /// Says before the work, not after it, that a result could not be written: throws Error(kBadInput)
 /// when `path` is a folder or its folder is missing or not writable. An empty path passes.
 void RequireWritable(const std::filesystem::path& path);
+
+/// Throws Error(kUsage) when `output` is one of the files `inputs`, by whatever name. An empty path
+/// and "-" pass.
+void RequireNotAnInput(const std::filesystem::path& output,
+                       std::span<const std::filesystem::path> inputs);
 
 }  // namespace handcraft::tools

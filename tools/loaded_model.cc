@@ -4,6 +4,7 @@
 #include "tools/loaded_model.h"
 
 #include <cstdint>
+#include <string>
 #include <utility>
 
 #include "lib/core/error.h"
@@ -14,6 +15,10 @@ LoadedModel LoadModel(const std::filesystem::path& path) {
   hc_error error{};
   if (hc_model_load_file(path.c_str(), &model, &error) != HC_OK) {
     Error::Details details{.path = path.string(), .reason = error.message};
+    const std::string named_again = ": " + details.path;  // the runtime ends some messages so
+    if (details.reason.ends_with(named_again)) {
+      details.reason.resize(details.reason.size() - named_again.size());
+    }
     if (error.byte_offset != UINT64_MAX) details.byte = error.byte_offset;
     throw Error(std::move(details));
   }

@@ -4,8 +4,10 @@
 #include "experiments/evaluation/table_model.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "datasets/formats/csv_records.h"
@@ -20,6 +22,21 @@ namespace handcraft::experiments {
 namespace {
 
 namespace fs = std::filesystem;
+
+void RequireNotPictures(const fs::path& path) {
+  constexpr std::array<std::string_view, 6> kPictures = {
+      ".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".ppm"};
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  std::error_code ignored;  // what cannot be looked at is named when it is read
+  const bool is_folder = fs::is_directory(path, ignored);
+  const auto* const found = std::find(kPictures.begin(), kPictures.end(), extension);
+  if (!is_folder && found == kPictures.end()) return;
+  throw Error({.path = path.string(),
+               .reason = std::string("this model reads tables; a ") +
+                         (is_folder ? "folder" : "picture") + " was given",
+               .remedy = "give a CSV or NPY file"});
+}
 
 // The label column as ReadTable takes it; empty when the file has none.
 std::string LabelColumnIn(const fs::path& path, const TableModel& model) {
@@ -90,6 +107,7 @@ TableModel ReadTableModel(const fs::path& path) {
 }
 
 datasets::Table ReadTableFor(const TableModel& model, const fs::path& path) {
+  RequireNotPictures(path);
   datasets::Table table = datasets::ReadTable(path, LabelColumnIn(path, model));
   if (datasets::IsNpy(path) && table.columns.size() == model.columns.size()) {
     table.columns = model.columns;

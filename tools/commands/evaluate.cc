@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -30,6 +31,7 @@ struct EvaluateOptions {
   std::string split = "test";
   std::string json;
   std::string html;
+  std::vector<std::string> picture_options;  // given, and read by grasp-point models alone
   experiments::EvaluationOptions evaluation;
 };
 
@@ -167,6 +169,11 @@ void EvaluateTable(const hc_model* model, const EvaluateOptions& options, const 
     throw Error({.kind = Error::Kind::kUsage,
                  .reason = "--html shows pictures: it needs a grasp-point model"});
   }
+  if (!options.picture_options.empty()) {
+    throw Error({.kind = Error::Kind::kUsage,
+                 .reason = options.picture_options.front() +
+                           " is about pictures: it needs a grasp-point model"});
+  }
   const experiments::TableModel table_model = experiments::ReadTableModel(options.model);
   const datasets::Table table = experiments::ReadTableFor(table_model, options.data);
   experiments::RequireLabelsOf(table_model, table, options.data);
@@ -187,6 +194,10 @@ void EvaluateTable(const hc_model* model, const EvaluateOptions& options, const 
 void RunEvaluate(const EvaluateOptions& options, const Console& console) {
   if (options.json != "-") RequireWritable(options.json);
   RequireWritable(options.html);
+  const std::filesystem::path data = options.data;
+  const std::array inputs = {std::filesystem::path(options.model), data, data / "manifest.csv"};
+  RequireNotAnInput(options.json, inputs);
+  RequireNotAnInput(options.html, inputs);
   options.evaluation.Validate();
   const LoadedModel model = LoadModel(options.model);
   const auto evaluate =
@@ -246,7 +257,13 @@ void AddEvaluate(CLI::App& parent, const Console& console) {
   SetExample(*command,
              "handcraft evaluate out/demo/grasp_points.safetensors "
              "datasets/samples/cornell_mini");
-  command->callback([options, &console] { RunEvaluate(*options, console); });
+  command->callback([options, command, &console] {
+    for (const char* name :
+         {"--split", "--top", "--min-probability", "--suppression-radius", "--pixels-per-image"}) {
+      if (command->count(name) > 0) options->picture_options.emplace_back(name);
+    }
+    RunEvaluate(*options, console);
+  });
 }
 
 }  // namespace handcraft::tools

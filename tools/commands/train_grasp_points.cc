@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -208,6 +209,8 @@ void WarnOfFewSamples(const datasets::SamplingOptions& sampling,
 
 void RunTrainGraspPoints(const TrainGraspPointsOptions& options, const Console& console) {
   RequireWritable(options.out);
+  const std::array inputs = {std::filesystem::path(options.dataset) / "manifest.csv"};
+  RequireNotAnInput(options.out, inputs);
   const Training training = Train(options, console);
   for (const std::string& warning : training.left_out) console.Warn(warning);
   RequireUsable(training.result.summary, FeatureNames(training.spec), console);
@@ -224,7 +227,7 @@ void RunTrainGraspPoints(const TrainGraspPointsOptions& options, const Console& 
 void AddSamplingOptions(CLI::App& command, datasets::SamplingOptions& sampling) {
   const std::string group = "Sampling";
   command.add_option("--samples", sampling.num_samples, "Pixels to draw in all; 0: every one")
-      ->check(CLI::NonNegativeNumber)
+      ->check(NotNegative())
       ->capture_default_str()
       ->group(group);
   command.add_option("--bad-per-good", sampling.bad_per_good, "Bad pixels for each good one")

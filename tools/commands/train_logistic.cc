@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <array>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <ostream>
@@ -136,6 +138,8 @@ logistic::Result Train(const TrainLogisticOptions& options,
 // The summary is printed before RequireUsable throws: it is what shows why there is no model.
 void RunTrainLogistic(const TrainLogisticOptions& options, const Console& console) {
   RequireWritable(options.out);
+  const std::array inputs = {std::filesystem::path(options.table)};
+  RequireNotAnInput(options.out, inputs);
   options.logistic.Validate();
   const datasets::Table table = datasets::ReadTable(options.table, options.label);
   const datasets::BinaryLabels labels = datasets::ToBinaryLabels(table, options.table);

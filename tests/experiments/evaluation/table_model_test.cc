@@ -94,6 +94,15 @@ TEST_F(TableModelTest, TakesTheLabelColumnOfAnNpyFileByNumber) {
   EXPECT_THAT(table.labels, ElementsAre("1", "0"));
 }
 
+TEST_F(TableModelTest, SaysThatItReadsTables) {
+  EXPECT_THROWS_MESSAGE(ReadTableFor(names_, folder_.path()),
+                        Error,
+                        HasSubstr("this model reads tables; a folder was given"));
+  EXPECT_THROWS_MESSAGE(ReadTableFor(names_, folder_ / "x.PNG"),
+                        Error,
+                        HasSubstr("this model reads tables; a picture was given"));
+}
+
 TEST_F(TableModelTest, NamesMissingColumns) {
   EXPECT_THROWS_MESSAGE(
       Read("x,y\n1,2\n"), Error, AllOf(HasSubstr("t.csv: "), HasSubstr("not there: 'b', 'a'")));

@@ -155,10 +155,38 @@ TEST_F(EvaluateTest, RefusesDataOfTheOtherKind) {
   EXPECT_THAT(outcome.err, HasSubstr("a grasp-point model is evaluated on a labelled image set"));
   outcome = Evaluate("logistic", "set");
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("set: "));
+  EXPECT_THAT(outcome.err, HasSubstr("set: this model reads tables; a folder was given"));
   outcome = Evaluate("logistic", "t.csv", "--html " + (folder_ / "e.html").string());
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("--html"));
+}
+
+TEST_F(EvaluateTest, RefusesPictureOptionsForATable) {
+  for (const std::string option :
+       {"--split", "--top", "--min-probability", "--suppression-radius", "--pixels-per-image"}) {
+    const Outcome outcome = Evaluate("logistic", "t.csv", option + " 0.5");
+    EXPECT_EQ(outcome.code, 2) << option;
+    EXPECT_THAT(outcome.err, HasSubstr(option));
+  }
+  EXPECT_THAT(Evaluate("logistic", "t.csv", "--top 3").err,
+              HasSubstr("--top is about pictures: it needs a grasp-point model"));
+}
+
+TEST_F(EvaluateTest, NeverOverwritesItsInputs) {
+  const auto expect_refused = [&](const std::string& model,
+                                  const std::string& data,
+                                  const std::string& option,
+                                  const std::string& output) {
+    const auto before = ReadFile(folder_ / output);
+    const Outcome outcome = Evaluate(model, data, option + " " + (folder_ / output).string());
+    EXPECT_EQ(outcome.code, 2) << output;
+    EXPECT_THAT(outcome.err, HasSubstr("would overwrite the input"));
+    EXPECT_EQ(ReadFile(folder_ / output), before);
+  };
+  expect_refused("logistic", "t.csv", "--json", "t.csv");
+  expect_refused("logistic", "t.csv", "--json", "logistic");
+  expect_refused("grasp", "set", "--json", "set/../set/manifest.csv");
+  expect_refused("grasp", "set", "--html", "grasp");
 }
 
 TEST_F(EvaluateTest, RefusesATableWithoutTheColumnsOrLabels) {

@@ -157,6 +157,23 @@ TEST_F(TrainGraspPoints, CountsTheImagesThatGaveSamples) {
   EXPECT_EQ(nlohmann::json::parse(Train("--image-share 0.5 --json").out)["num_images"], 2);
 }
 
+TEST_F(TrainGraspPoints, NeverOverwritesTheManifest) {
+  const auto before = ReadFile(set_ / "manifest.csv");
+  const Outcome outcome =
+      RunLine("train grasp-points " + set_.string() + " --out " + (set_ / "manifest.csv").string());
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("would overwrite the input"));
+  EXPECT_EQ(ReadFile(set_ / "manifest.csv"), before);
+}
+
+TEST_F(TrainGraspPoints, SaysThatANumberMustNotBeNegative) {
+  for (const char* option : {"--samples -5", "--seed -1"}) {
+    const Outcome outcome = Train(option);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("must be 0 or more")) << option;
+  }
+}
+
 TEST_F(TrainGraspPoints, RefusesMasksOfOneClass) {
   for (int i = 0; i < 6; ++i) {
     perception::WritePng(set_ / ("p" + std::to_string(i) + ".mask.png"), Image(64, 48, 1, 0));

@@ -81,6 +81,17 @@ TEST(TrainLogistic, PrintsASummary) {
   EXPECT_EQ(NumEntries(folder.path()), 1U);
 }
 
+TEST(TrainLogistic, NeverOverwritesItsTable) {
+  const TemporaryDirectory folder;
+  testing::WriteTable(folder / "t.csv");
+  const auto before = ReadFile(folder / "t.csv");
+  const Outcome outcome = RunLine("train logistic " + (folder / "t.csv").string() +
+                                  " --label class --out " + (folder / "./t.csv").string());
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("would overwrite the input"));
+  EXPECT_EQ(ReadFile(folder / "t.csv"), before);
+}
+
 TEST(TrainLogistic, WritesTheSameModelForOneAndTwoThreads) {
   const TemporaryDirectory folder;
   testing::WriteTable(folder / "t.csv");
