@@ -38,8 +38,8 @@ void CheckIsFree(const fs::path& target) {
 StagingFolder::StagingFolder(const fs::path& target) : target_(fs::absolute(target)) {
   CheckIsFree(target);
   target_ = target_.lexically_normal();
-  if (!target_.has_filename()) target_ = target_.parent_path();  // "name/" is "name"
-  std::string pattern = target_.string() + ".XXXXXX";
+  if (!target_.has_filename()) target_ = target_.parent_path();        // "name/" is "name"
+  std::string pattern = target_.string() + '.' + std::string(6, 'X');  // mkdtemp fills in
   if (::mkdtemp(pattern.data()) == nullptr) {
     Fail(target, "make the folder", std::error_code(errno, std::generic_category()));
   }

@@ -54,11 +54,12 @@ void WriteAll(const Descriptor& file, const fs::path& path, std::span<const std:
   }
 }
 
-// A temporary file that goes away unless it was renamed into place.
+// A temporary file, six letters of its name chosen by mkstemp, that goes away unless it was renamed
+// into place.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const fs::path& target)
-      : path_(target.string() + ".XXXXXX"), descriptor_(::mkstemp(path_.data())) {
+      : path_(target.string() + '.' + std::string(6, 'X')), descriptor_(::mkstemp(path_.data())) {
     if (descriptor_.value() < 0) Fail(target, "create the file", errno);
   }
   ~TemporaryFile() {

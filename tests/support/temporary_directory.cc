@@ -12,7 +12,8 @@
 namespace handcraft::testing {
 
 TemporaryDirectory::TemporaryDirectory() {
-  std::string name = (std::filesystem::temp_directory_path() / "handcraft-test-XXXXXX").string();
+  std::string name = (std::filesystem::temp_directory_path() / "handcraft-test-").string();
+  name += std::string(6, 'X');  // mkdtemp fills in
   if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
   path_ = name;
 }
