@@ -55,7 +55,8 @@ std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
 std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
   std::string text = option->get_description();
   const bool may_stand_alone = option->get_items_expected_min() == 0;  // the default is then said
-  if (!option->get_default_str().empty() && !may_stand_alone) text += " [" + option->get_default_str() + "]";
+  if (!option->get_default_str().empty() && !may_stand_alone)
+    text += " [" + option->get_default_str() + "]";
   if (option->get_required() && option->nonpositional()) text += " (required)";
   return Wrap(text);
 }

@@ -23,8 +23,9 @@ namespace handcraft {
 
 /// Replaces `path` by `bytes` so that a reader, a crash or a full disk sees the old file or the
 /// whole new one and never a part: temporary file in the same folder, fsync, rename.
-/// Behind a symbolic link the target is replaced and the link stays. A device or pipe is written to,
-/// not replaced. Missing parent folders are an error. Throws Error and removes the temporary file on failure.
+/// Behind a symbolic link the target is replaced and the link stays. A device or pipe is written
+/// to, not replaced. Missing parent folders are an error. Throws Error and removes the temporary
+/// file on failure.
 void WriteFileAtomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void WriteFileAtomically(const std::filesystem::path& path, std::string_view text);
 

@@ -39,7 +39,7 @@ HEADERLESS_TARGETS = {"Threads::Threads"}
 
 STANDARD_HEADER = re.compile(r"[a-z_]+$")
 C_AND_POSIX_HEADER = re.compile(
-    r"(assert|ctype|errno|fcntl|float|inttypes|limits|locale|math|signal|stdbool|stddef|stdint"
+    r"(assert|ctype|errno|fcntl|float|inttypes|limits|locale|malloc|math|signal|stdbool|stddef|stdint"
     r"|stdio|stdlib|string|time|unistd|dlfcn|sys/[a-z_]+)\.h$")
 INTRINSICS_HEADER = re.compile(r"([a-z]*mmintrin|immintrin|arm_[a-z]+|cpuid)\.h$")
 INTRINSICS_LAYERS = {"features", "runtime", "experiments"}  # the last measures the peak
