@@ -29,7 +29,8 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 class ScratchFolder {
  public:
   ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "handcraft-XXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path() / "handcraft-").string();
+    name += std::string(6, 'X');  // mkdtemp fills in
     if (::mkdtemp(name.data()) == nullptr) {
       throw Error({.path = name,
                    .reason = "cannot make a folder there",
