@@ -20,6 +20,7 @@
 #include "lib/core/error.h"
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
+#include "lib/core/option_rules.h"
 #include "lib/core/rng.h"
 #include "lib/features/pixel_features.h"
 #include "lib/perception/image_header.h"
@@ -29,12 +30,6 @@ namespace handcraft::datasets {
 namespace {
 
 using PixelIndex = std::uint32_t;  // row · width + column
-
-void Require(bool holds, const std::string& field, const std::string& value, const char* rule) {
-  if (holds) return;
-  throw Error({.kind = Error::Kind::kUsage,
-               .reason = "SamplingOptions." + field + " is " + value + "; it must be " + rule});
-}
 
 // The images used, as indices: all those of a share of the instances, drawn by seed. A greater
 // share takes the same instances and more.
@@ -192,8 +187,8 @@ void CheckQuotas(const LabelledImageSet& set,
   if (sum.good > 0 && sum.bad > 0) return;
   throw Error({.kind = Error::Kind::kUsage,
                .path = set.root.string(),
-               .reason = "SamplingOptions: " + NumberToText(options.num_samples) +
-                         " samples with " + NumberToText(options.bad_per_good) +
+               .reason = NumberToText(options.num_samples) + " samples with " +
+                         NumberToText(options.bad_per_good) +
                          " bad ones for each good one leave no " +
                          (sum.good == 0 ? "good" : "bad") + " pixel",
                .remedy = "ask for more samples or another ratio"});
@@ -228,23 +223,23 @@ void GatherRows(const LabelledImageSet& set,
 }  // namespace
 
 void SamplingOptions::Validate() const {
-  Require(bad_per_good > 0.0 && std::isfinite(bad_per_good),
-          "bad_per_good",
-          NumberToText(bad_per_good),
-          "greater than 0");
-  Require(image_share > 0.0 && image_share <= 1.0,
-          "image_share",
-          NumberToText(image_share),
-          "in (0, 1]");
-  Require(hard_negative_share >= 0.0 && hard_negative_share <= 1.0,
-          "hard_negative_share",
-          NumberToText(hard_negative_share),
-          "in [0, 1]");
-  Require(hard_negative_radius_px >= 1,
-          "hard_negative_radius_px",
-          NumberToText(hard_negative_radius_px),
-          "1 or more");
-  Require(num_threads >= 1, "num_threads", NumberToText(num_threads), "1 or more");
+  RequireOption(bad_per_good > 0.0 && std::isfinite(bad_per_good),
+                "SamplingOptions.bad_per_good",
+                bad_per_good,
+                "greater than 0");
+  RequireOption(image_share > 0.0 && image_share <= 1.0,
+                "SamplingOptions.image_share",
+                image_share,
+                "in (0, 1]");
+  RequireOption(hard_negative_share >= 0.0 && hard_negative_share <= 1.0,
+                "SamplingOptions.hard_negative_share",
+                hard_negative_share,
+                "in [0, 1]");
+  RequireOption(hard_negative_radius_px >= 1,
+                "SamplingOptions.hard_negative_radius_px",
+                hard_negative_radius_px,
+                "1 or more");
+  RequireOption(num_threads >= 1, "SamplingOptions.num_threads", num_threads, "1 or more");
 }
 
 std::vector<PixelSample> DrawSamples(const LabelledImageSet& set, const SamplingOptions& options) {

@@ -11,30 +11,29 @@
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 #include "lib/core/parallel.h"
+#include "tools/number_option.h"
 
 namespace handcraft::tools {
-
-CLI::Validator NotNegative() {
-  const auto check = [](const std::string& text) {
-    return text.starts_with('-') ? text + " must be 0 or more" : std::string();
-  };
-  return {check, "NONNEGATIVE"};
-}
 
 void AddJsonFlag(CLI::App& command, bool& json) {
   command.add_flag("--json", json, "Print the result as JSON");
 }
 
 void AddSeedOption(CLI::App& command, std::uint64_t& seed) {
-  command.add_option("--seed", seed, "Seed of every random draw; same seed, same data: same bytes")
-      ->check(NotNegative())
-      ->capture_default_str();
+  AddNumber(command,
+            "--seed",
+            seed,
+            AnyNumber<std::uint64_t>(),
+            "Seed of every random draw; same seed, same data: same bytes");
 }
 
 void AddThreadsOption(CLI::App& command, int& num_threads) {
   num_threads = NumHardwareThreads();
-  command.add_option("--threads", num_threads, "Threads; they never change a result")
-      ->check(CLI::Range(1, 1024))
+  AddNumber(command,
+            "--threads",
+            num_threads,
+            IntegerWithin(1, 1024),
+            "Threads; they never change a result")
       ->default_str("all of the machine");
 }
 

@@ -14,9 +14,6 @@
 
 namespace handcraft::tools {
 
-/// Refuses a number that begins with a minus sign.
-[[nodiscard]] CLI::Validator NotNegative();
-
 /// Options that mean the same in every subcommand that has them.
 void AddJsonFlag(CLI::App& command, bool& json);
 void AddSeedOption(CLI::App& command, std::uint64_t& seed);

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <sstream>
+#include <utility>
 
 namespace handcraft::tools {
 namespace {
@@ -35,11 +36,31 @@ std::string Wrap(const std::string& text) {
 
 HelpFormatter::HelpFormatter() {
   column_width(kFirstColumnWidth);
-  label("FLOAT", "NUMBER");
-  label("UINT", "INT");
   label("Positionals", "Arguments");
   label("SUBCOMMAND", "COMMAND");
-  label("Subcommands", "Commands");
+}
+
+// CLI11 puts two empty lines between groups.
+std::string HelpFormatter::make_help(const CLI::App* app,
+                                     std::string name,
+                                     CLI::AppFormatMode mode) const {
+  const std::string help = Formatter::make_help(app, std::move(name), mode);
+  return CLI::detail::find_and_replace(help, "\n\n\n", "\n\n");
+}
+
+// CLI11 heads them by the name of their group, "Subcommands".
+std::string HelpFormatter::make_subcommands(const CLI::App* app,
+                                            CLI::AppFormatMode /*mode*/) const {
+  std::string text;
+  for (const CLI::App* command : app->get_subcommands({})) text += make_subcommand(command);
+  return text.empty() ? "" : "\nCommands:\n" + text;
+}
+
+std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
+  std::ostringstream text;
+  CLI::detail::format_help(
+      text, command->get_name(), Wrap(command->get_description()), kFirstColumnWidth);
+  return text.str();
 }
 
 // The names of validators, which CLI11 puts behind a colon, say nothing that the text does not.

@@ -16,6 +16,12 @@ class HelpFormatter : public CLI::Formatter {
  public:
   HelpFormatter();
 
+  [[nodiscard]] std::string make_help(const CLI::App* app,
+                                      std::string name,
+                                      CLI::AppFormatMode mode) const override;
+  [[nodiscard]] std::string make_subcommands(const CLI::App* app,
+                                             CLI::AppFormatMode mode) const override;
+  [[nodiscard]] std::string make_subcommand(const CLI::App* command) const override;
   [[nodiscard]] std::string make_option_opts(const CLI::Option* option) const override;
   [[nodiscard]] std::string make_option_desc(const CLI::Option* option) const override;
 };

@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include "tools/number_option.h"
+
 namespace handcraft::tools {
 namespace {
 
@@ -21,25 +23,29 @@ const std::map<std::string, logistic::HessianPrecision>& PrecisionNames() {
 
 void AddLogisticOptions(CLI::App& command, logistic::Options& options) {
   const std::string group = "Logistic regression";
-  command
-      .add_option(
-          "--ridge", options.ridge, "Penalty λ in deviance/2 + λ/2·‖w‖², on standardised features")
-      ->capture_default_str()
+  AddNumber(command,
+            "--ridge",
+            options,
+            &logistic::Options::ridge,
+            "Penalty λ in deviance/2 + λ/2·‖w‖², on standardised features")
       ->group(group);
-  command.add_option("--max-iterations", options.max_iterations, "Newton steps at most")
-      ->capture_default_str()
+  AddNumber(command,
+            "--max-iterations",
+            options,
+            &logistic::Options::max_iterations,
+            "Newton steps at most")
       ->group(group);
-  command
-      .add_option("--gradient-tolerance",
-                  options.gradient_tolerance,
-                  "Converged when the gradient's largest entry per sample is below")
-      ->capture_default_str()
+  AddNumber(command,
+            "--gradient-tolerance",
+            options,
+            &logistic::Options::gradient_tolerance,
+            "Converged when the gradient's largest entry per sample is below")
       ->group(group);
-  command
-      .add_option("--warm-start",
-                  options.warm_start_share,
-                  "Share of the samples to optimise on first; 0: none")
-      ->capture_default_str()
+  AddNumber(command,
+            "--warm-start",
+            options,
+            &logistic::Options::warm_start_share,
+            "Share of the samples to optimise on first; 0: none")
       ->group(group);
   command
       .add_option_function<std::string>(

@@ -20,8 +20,8 @@
 #include "datasets/importers/staging_folder.h"
 #include "datasets/parallel_reporting.h"
 #include "lib/core/error.h"
-#include "lib/core/fields.h"
 #include "lib/core/file.h"
+#include "lib/core/option_rules.h"
 #include "lib/perception/image_io.h"
 
 namespace handcraft::datasets {
@@ -36,12 +36,6 @@ struct Picture {
   std::vector<GraspRectangle> positive_rectangles;
   std::string split;
 };
-
-void Require(bool holds, const std::string& field, const std::string& value, const char* rule) {
-  if (holds) return;
-  throw Error({.kind = Error::Kind::kUsage,
-               .reason = "CornellOptions." + field + " is " + value + "; it must be " + rule});
-}
 
 // "pcd0123cpos.txt" → 123, "cpos.txt".
 std::optional<std::pair<int, std::string_view>> ParseName(std::string_view name) {
@@ -208,18 +202,18 @@ void WritePicture(const Picture& picture,
 }  // namespace
 
 void CornellOptions::Validate() const {
-  Require(
-      good_share > 0.0 && good_share <= 1.0, "good_share", NumberToText(good_share), "in (0, 1]");
-  Require(dont_care_margin_px >= 0,
-          "dont_care_margin_px",
-          NumberToText(dont_care_margin_px),
-          "0 or more");
-  Require(instance_span >= 1, "instance_span", NumberToText(instance_span), "1 or more");
-  Require(
-      test_share >= 0.0 && test_share < 1.0, "test_share", NumberToText(test_share), "in [0, 1)");
-  Require(split_gap >= 0, "split_gap", NumberToText(split_gap), "0 or more");
-  Require(max_images >= 0, "max_images", NumberToText(max_images), "0 or more");
-  Require(num_threads >= 1, "num_threads", NumberToText(num_threads), "1 or more");
+  RequireOption(
+      good_share > 0.0 && good_share <= 1.0, "CornellOptions.good_share", good_share, "in (0, 1]");
+  RequireOption(dont_care_margin_px >= 0,
+                "CornellOptions.dont_care_margin_px",
+                dont_care_margin_px,
+                "0 or more");
+  RequireOption(instance_span >= 1, "CornellOptions.instance_span", instance_span, "1 or more");
+  RequireOption(
+      test_share >= 0.0 && test_share < 1.0, "CornellOptions.test_share", test_share, "in [0, 1)");
+  RequireOption(split_gap >= 0, "CornellOptions.split_gap", split_gap, "0 or more");
+  RequireOption(max_images >= 0, "CornellOptions.max_images", max_images, "0 or more");
+  RequireOption(num_threads >= 1, "CornellOptions.num_threads", num_threads, "1 or more");
 }
 
 LabelledImageSet ImportCornell(const fs::path& source,

@@ -10,10 +10,10 @@
 
 #include "experiments/evaluation/evaluation_pixels.h"
 #include "experiments/evaluation/grasp_point_figures.h"
-#include "experiments/evaluation/option_rules.h"
 #include "experiments/evaluation/runtime_scoring.h"
 #include "lib/core/check.h"
 #include "lib/core/error.h"
+#include "lib/core/option_rules.h"
 #include "lib/core/parallel.h"
 
 namespace handcraft::experiments {
@@ -60,15 +60,18 @@ void RequireMeasurable(const datasets::LabelledImageSet& set,
 void EvaluationOptions::Validate() const {
   RequireOption(
       threshold > 0.0 && threshold < 1.0, "EvaluationOptions.threshold", threshold, "in (0, 1)");
-  RequireOption(best_pixels >= 1, "EvaluationOptions.best_pixels", best_pixels, "at least 1");
+  RequireOption(best_pixels >= 1 && best_pixels <= 10000,
+                "EvaluationOptions.best_pixels",
+                best_pixels,
+                "from 1 to 10000");
   RequireOption(best_min_probability >= 0.0 && best_min_probability < 1.0,
                 "EvaluationOptions.best_min_probability",
                 best_min_probability,
                 "in [0, 1)");
-  RequireOption(suppression_radius_px >= 0,
+  RequireOption(suppression_radius_px >= 0 && suppression_radius_px <= 10000,
                 "EvaluationOptions.suppression_radius_px",
                 suppression_radius_px,
-                "at least 0");
+                "from 0 to 10000");
   RequireOption(
       pixels_per_image >= 2, "EvaluationOptions.pixels_per_image", pixels_per_image, "at least 2");
   RequireOption(bootstrap_resamples >= 1,

@@ -20,7 +20,7 @@ struct EvaluationOptions {
   double threshold = 0.5;               ///< of the confusion matrix, (0, 1)
   int best_pixels = 15;                 ///< "up to 15 pixels with highest probabilities" (3.3.1)
   double best_min_probability = 0.9;    ///< "greater than 90 %"
-  int suppression_radius_px = 0;        ///< 0 as in the dissertation
+  int suppression_radius_px = 0;        ///< 0 as in the dissertation; both to 10000
   std::size_t pixels_per_image = 4000;  ///< labelled pixels scored an image, half good half bad
   std::size_t bootstrap_resamples = 1000;
   std::uint64_t seed = 1;

@@ -6,11 +6,11 @@
 #include <numeric>
 
 #include "experiments/evaluation/json_text.h"
-#include "experiments/evaluation/option_rules.h"
 #include "experiments/evaluation/table_model.h"
 #include "experiments/metrics/grouped_auc.h"
 #include "lib/core/check.h"
 #include "lib/core/error.h"
+#include "lib/core/option_rules.h"
 
 namespace handcraft::experiments {
 namespace {

@@ -3,8 +3,10 @@
 
 #include "tools/handcraft.h"
 
+#include <array>
 #include <filesystem>
 #include <ostream>
+#include <regex>
 #include <sstream>
 #include <streambuf>
 
@@ -21,6 +23,7 @@ namespace {
 using handcraft::testing::TemporaryDirectory;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::Outcome;
 using testing::RunLine;
 using ::testing::StartsWith;
@@ -71,6 +74,18 @@ TEST(RunHandcraft, EveryCommandHelpsWithAnExampleOfItself) {
   }
 }
 
+// Flag values, C++ types, validators and words of CLI11.
+TEST(RunHandcraft, HelpShowsNothingOfItsInside) {
+  std::vector<std::string> lines = AllCommands();
+  lines.insert(lines.end(), {"", "data", "data import", "train"});
+  for (const std::string& line : lines) {
+    const std::string help = RunLine(line + " --help").out;
+    for (const char* word : {"{", "UINT", "FLOAT", "BOOLEAN", ":NUMBER", "ubcommand", "\n\n\n"}) {
+      EXPECT_THAT(help, Not(HasSubstr(word))) << line;
+    }
+  }
+}
+
 TEST(RunHandcraft, NamesAWrongCommandAndTheRightOnes) {
   const Outcome outcome = RunLine("trian");
   EXPECT_EQ(outcome.code, 2);
@@ -108,6 +123,41 @@ TEST(RunHandcraft, HintsAtHelpForAValueOutOfRange) {
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.err,
               AllOf(HasSubstr("ridge"), HasSubstr("Try 'handcraft train logistic --help'.")));
+}
+
+TEST(RunHandcraft, RefusesEveryWrongNumberInOneForm) {
+  const std::regex number_option("\n  (--[a-z-]+) (NUMBER|INT) ");
+  for (const std::string& command : AllCommands()) {
+    const std::string help = RunLine(command + " --help").out;
+    for (std::sregex_iterator match(help.begin(), help.end(), number_option), end; match != end;
+         ++match) {
+      const std::string option = (*match)[1];
+      const Outcome outcome = RunLine(command + " a b " + option + " x");
+      EXPECT_EQ(outcome.code, 2) << command;
+      EXPECT_THAT(outcome.err, HasSubstr(option + ": x given; it must be a ")) << command;
+    }
+  }
+}
+
+// The rules are the library's, whose messages name fields; people gave an option.
+TEST(RunHandcraft, NamesTheOptionTheValueAndTheRule) {
+  const std::vector<std::array<std::string, 4>> cases = {
+      {"data import cornell s --out o", "--good-share", "0", "in (0, 1]"},
+      {"data import cornell s --out o", "--max-images", "-1", "0 or more"},
+      {"train grasp-points d --out o", "--samples", "-5", "0 or more"},
+      {"train grasp-points d --out o", "--bad-per-good", "inf", "greater than 0"},
+      {"train grasp-points d --out o", "--ridge", "-1", "a finite number >= 0"},
+      {"train logistic t --label l", "--warm-start", "1", "in [0, 1)"},
+      {"evaluate m d", "--resamples", "0", "at least 1"},
+      {"evaluate m d", "--pixels-per-image", "-3", "at least 2"},
+      {"evaluate m d", "--top", "10001", "from 1 to 10000"},
+      {"predict m i", "--min-probability", "1", "in [0, 1)"},
+      {"bench", "--repetitions", "1001", "from 1 to 1000"}};
+  for (const auto& [line, option, value, rule] : cases) {
+    EXPECT_THAT(RunLine(line + " " + option + " " + value).err,
+                StartsWith("handcraft: error: " + option + ": " + value + " given; it must be " +
+                           rule + "\nTry "));
+  }
 }
 
 // A stream that takes nothing, as /dev/full.

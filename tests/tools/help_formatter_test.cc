@@ -27,6 +27,7 @@ class HelpFormatterTest : public ::testing::Test {
 
 TEST_F(HelpFormatterTest, PutsKindBesideAndDefaultBehind) {
   app_.add_option("--number", number_, "A number")
+      ->type_name("NUMBER")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   EXPECT_THAT(app_.help(), HasSubstr("  --number NUMBER               A number [0.5]\n"));
@@ -48,6 +49,17 @@ TEST_F(HelpFormatterTest, ShowsNoDefaultWhereTheValueMayBeLeftOut) {
   std::string file;
   app_.add_option("--json", file, "To a file")->expected(0, 1)->default_str("-");
   EXPECT_THAT(app_.help(), HasSubstr("To a file\n"));
+}
+
+TEST_F(HelpFormatterTest, ListsCommandsAsCommands) {
+  app_.add_subcommand("walk", std::string(40, 'a') + " " + std::string(40, 'b'));
+  EXPECT_THAT(app_.help(), HasSubstr("\n\nCommands:\n  walk "));
+  EXPECT_THAT(app_.help(), HasSubstr("a\n                                b"));
+}
+
+TEST_F(HelpFormatterTest, SetsGroupsOneLineApart) {
+  app_.add_option("--number", number_, "A number")->group("Numbers");
+  EXPECT_THAT(app_.help(), HasSubstr("exit\n\nNumbers:\n"));
 }
 
 TEST_F(HelpFormatterTest, KeepsFlagsBare) {

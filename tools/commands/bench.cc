@@ -16,6 +16,7 @@
 #include "lib/core/error.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
+#include "tools/number_option.h"
 #include "tools/progress_bar.h"
 #include "tools/text_table.h"
 
@@ -135,12 +136,11 @@ void AddBench(CLI::App& parent, const Console& console) {
       ->expected(1)
       ->take_all();
   command->add_flag("--list", options->list, "Name the benchmarks and run none");
-  command
-      ->add_option("--repetitions",
-                   options->benchmark.repetitions,
-                   "Times the quick ones are run; the median is kept")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+  AddNumber(*command,
+            "--repetitions",
+            options->benchmark.repetitions,
+            IntegerWithin(1, 1000),
+            "Times the quick ones are run; the median is kept");
   command
       ->add_option(
           "--data", options->benchmark.dataset, "Labelled image set that gives the pictures")

@@ -10,6 +10,7 @@
 #include "datasets/importers/cornell.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
+#include "tools/number_option.h"
 #include "tools/progress_bar.h"
 
 namespace handcraft::tools {
@@ -23,37 +24,40 @@ struct ImportCornellOptions {
 };
 
 void AddPolicyOptions(CLI::App& command, datasets::CornellOptions& cornell) {
-  command
-      .add_option("--good-share",
-                  cornell.good_share,
-                  "Central share of a rectangle's opening that is good, the rest is don't care")
-      ->capture_default_str();
-  command
-      .add_option("--dont-care-margin",
-                  cornell.dont_care_margin_px,
-                  "Nothing nearer than this to a rectangle is called bad [px]")
-      ->capture_default_str();
+  AddNumber(command,
+            "--good-share",
+            cornell,
+            &datasets::CornellOptions::good_share,
+            "Central share of a rectangle's opening that is good, the rest is don't care");
+  AddNumber(command,
+            "--dont-care-margin",
+            cornell,
+            &datasets::CornellOptions::dont_care_margin_px,
+            "Nothing nearer than this to a rectangle is called bad [px]");
   command.add_flag_callback(
       "--no-negative-rectangles",
       [&cornell] { cornell.use_negative_rectangles = false; },
       "Do not call the inside of negative rectangles (cneg) bad");
-  command
-      .add_option("--instance-span",
-                  cornell.instance_span,
-                  "Numbers that make one instance: neighbours show the same object")
-      ->capture_default_str();
-  command.add_option("--test-share", cornell.test_share, "Share of the instances put into 'test'")
-      ->capture_default_str();
-  command
-      .add_option("--split-gap",
-                  cornell.split_gap,
-                  "Training pictures this close in number to the test ones are left out")
-      ->capture_default_str();
-  command
-      .add_option("--max-images",
-                  cornell.max_images,
-                  "Keep this many, evenly spread over the numbers; 0: all")
-      ->capture_default_str();
+  AddNumber(command,
+            "--instance-span",
+            cornell,
+            &datasets::CornellOptions::instance_span,
+            "Numbers that make one instance: neighbours show the same object");
+  AddNumber(command,
+            "--test-share",
+            cornell,
+            &datasets::CornellOptions::test_share,
+            "Share of the instances put into 'test'");
+  AddNumber(command,
+            "--split-gap",
+            cornell,
+            &datasets::CornellOptions::split_gap,
+            "Training pictures this close in number to the test ones are left out");
+  AddNumber(command,
+            "--max-images",
+            cornell,
+            &datasets::CornellOptions::max_images,
+            "Keep this many, evenly spread over the numbers; 0: all");
   command.add_option("--licence", cornell.licence, "Written into the manifest")
       ->capture_default_str();
 }

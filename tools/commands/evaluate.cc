@@ -19,6 +19,7 @@
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "tools/loaded_model.h"
+#include "tools/number_option.h"
 #include "tools/progress_bar.h"
 #include "tools/text_table.h"
 
@@ -198,7 +199,6 @@ void RunEvaluate(const EvaluateOptions& options, const Console& console) {
   const std::array inputs = {std::filesystem::path(options.model), data, data / "manifest.csv"};
   RequireNotAnInput(options.json, inputs);
   RequireNotAnInput(options.html, inputs);
-  options.evaluation.Validate();
   const LoadedModel model = LoadModel(options.model);
   const auto evaluate =
       hc_model_kind(model.get()) == HC_KIND_GRASP_POINT ? EvaluateGraspPoints : EvaluateTable;
@@ -206,35 +206,41 @@ void RunEvaluate(const EvaluateOptions& options, const Console& console) {
 }
 
 void AddMeasureOptions(CLI::App& command, experiments::EvaluationOptions& evaluation) {
-  command.add_option("--threshold", evaluation.threshold, "Probability above which is 'good'")
-      ->capture_default_str();
+  AddNumber(command,
+            "--threshold",
+            evaluation,
+            &experiments::EvaluationOptions::threshold,
+            "Probability above which is 'good'");
   const std::string group = "Grasp points";
-  command.add_option("--top", evaluation.best_pixels, "Best pixels counted an image")
-      ->capture_default_str()
+  AddNumber(command,
+            "--top",
+            evaluation,
+            &experiments::EvaluationOptions::best_pixels,
+            "Best pixels counted an image")
       ->group(group);
-  command
-      .add_option("--min-probability",
-                  evaluation.best_min_probability,
-                  "… if their probability is above this")
-      ->capture_default_str()
+  AddNumber(command,
+            "--min-probability",
+            evaluation,
+            &experiments::EvaluationOptions::best_min_probability,
+            "… if their probability is above this")
       ->group(group);
-  command
-      .add_option("--suppression-radius",
-                  evaluation.suppression_radius_px,
-                  "… and they are farther apart than this [px]")
-      ->capture_default_str()
+  AddNumber(command,
+            "--suppression-radius",
+            evaluation,
+            &experiments::EvaluationOptions::suppression_radius_px,
+            "… and they are farther apart than this [px]")
       ->group(group);
-  command
-      .add_option("--pixels-per-image",
-                  evaluation.pixels_per_image,
-                  "Labelled pixels scored an image, half of them good")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str()
+  AddNumber(command,
+            "--pixels-per-image",
+            evaluation,
+            &experiments::EvaluationOptions::pixels_per_image,
+            "Labelled pixels scored an image, half of them good")
       ->group(group);
-  command
-      .add_option("--resamples", evaluation.bootstrap_resamples, "Bootstrap resamples of intervals")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  AddNumber(command,
+            "--resamples",
+            evaluation,
+            &experiments::EvaluationOptions::bootstrap_resamples,
+            "Bootstrap resamples of intervals");
 }
 
 }  // namespace

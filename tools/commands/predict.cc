@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/formats/csv_records.h"
+#include "experiments/evaluation/grasp_point_evaluation.h"
 #include "experiments/evaluation/json_text.h"
 #include "experiments/evaluation/runtime_scoring.h"
 #include "experiments/evaluation/table_model.h"
@@ -23,6 +24,7 @@
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "tools/loaded_model.h"
+#include "tools/number_option.h"
 #include "tools/output_folder.h"
 #include "tools/progress_bar.h"
 #include "tools/text_table.h"
@@ -167,17 +169,11 @@ void PredictTables(const hc_model* model,
   }
 }
 
+// Options that fit each other and the model.
 void Validate(const PredictOptions& options, hc_kind kind) {
-  const auto refuse = [](std::string reason) {
-    throw Error({.kind = Error::Kind::kUsage, .reason = std::move(reason)});
-  };
-  if (!(options.min_probability >= 0.0 && options.min_probability < 1.0)) {
-    refuse(fmt::format("--min-probability is {}; 0 or more and below 1 is due",
-                       options.min_probability));
-  }
   if (kind == HC_KIND_LOGISTIC && options.inputs.size() > 1 && options.out.empty() &&
       !options.json) {
-    refuse("several tables need --out or --json");
+    throw Error({.kind = Error::Kind::kUsage, .reason = "several tables need --out or --json"});
   }
 }
 
@@ -190,6 +186,25 @@ void RunPredict(const PredictOptions& options, const Console& console) {
   const auto predict = kind == HC_KIND_GRASP_POINT ? PredictImages : PredictTables;
   predict(model.get(), options, console, folder ? &*folder : nullptr);
   if (folder && !options.json) console.out << "Written to " << options.out << '\n';
+}
+
+// The same figures as in `evaluate`, with the same rules.
+void AddPictureOptions(CLI::App& command, PredictOptions& options) {
+  AddNumber(command,
+            "--top",
+            options.top,
+            TakenBy(&experiments::EvaluationOptions::best_pixels),
+            "Grasp points a picture, at most");
+  AddNumber(command,
+            "--min-probability",
+            options.min_probability,
+            TakenBy(&experiments::EvaluationOptions::best_min_probability),
+            "Only grasp points above this probability");
+  AddNumber(command,
+            "--suppression-radius",
+            options.suppression_radius_px,
+            TakenBy(&experiments::EvaluationOptions::suppression_radius_px),
+            "Grasp points are farther apart than this [px]; 0: no suppression");
 }
 
 }  // namespace
@@ -205,19 +220,7 @@ void AddPredict(CLI::App& parent, const Console& console) {
                    options->out,
                    "Folder for <picture>.grasp_points.json and .png, or <table>.probabilities.csv")
       ->type_name("DIR");
-  command->add_option("--top", options->top, "Grasp points a picture, at most")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--min-probability", options->min_probability, "Only grasp points above this probability")
-      ->capture_default_str();
-  command
-      ->add_option("--suppression-radius",
-                   options->suppression_radius_px,
-                   "Grasp points are farther apart than this [px]; 0: no suppression")
-      ->check(CLI::Range(0, 10000))
-      ->capture_default_str();
+  AddPictureOptions(*command, *options);
   AddJsonFlag(*command, options->json);
   SetExample(*command,
              "handcraft predict out/demo/grasp_points.safetensors "

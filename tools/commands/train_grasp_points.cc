@@ -26,6 +26,7 @@
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "tools/logistic_options.h"
+#include "tools/number_option.h"
 #include "tools/progress_bar.h"
 #include "tools/text_table.h"
 #include "tools/training_outcome.h"
@@ -84,8 +85,6 @@ Training Train(const TrainGraspPointsOptions& options, const Console& console) {
   sampling.left_out = [&](const std::string& image, std::string_view reason) {
     training.left_out.push_back(fmt::format("left out: {}, {}", image, reason));
   };
-  sampling.Validate();
-  logistic.Validate();
   const std::vector<datasets::PixelSample> pixels = datasets::DrawSamples(training.set, sampling);
   training.num_images = NumImages(pixels);
   const datasets::GraspPointSamples samples =
@@ -226,27 +225,35 @@ void RunTrainGraspPoints(const TrainGraspPointsOptions& options, const Console& 
 
 void AddSamplingOptions(CLI::App& command, datasets::SamplingOptions& sampling) {
   const std::string group = "Sampling";
-  command.add_option("--samples", sampling.num_samples, "Pixels to draw in all; 0: every one")
-      ->check(NotNegative())
-      ->capture_default_str()
+  AddNumber(command,
+            "--samples",
+            sampling,
+            &datasets::SamplingOptions::num_samples,
+            "Pixels to draw in all; 0: every one")
       ->group(group);
-  command.add_option("--bad-per-good", sampling.bad_per_good, "Bad pixels for each good one")
-      ->capture_default_str()
+  AddNumber(command,
+            "--bad-per-good",
+            sampling,
+            &datasets::SamplingOptions::bad_per_good,
+            "Bad pixels for each good one")
       ->group(group);
-  command.add_option("--image-share", sampling.image_share, "Share of the images to use, (0, 1]")
-      ->capture_default_str()
+  AddNumber(command,
+            "--image-share",
+            sampling,
+            &datasets::SamplingOptions::image_share,
+            "Share of the images to use, (0, 1]")
       ->group(group);
-  command
-      .add_option("--hard-negatives",
-                  sampling.hard_negative_share,
-                  "Share of the bad pixels to draw near good ones, [0, 1]")
-      ->capture_default_str()
+  AddNumber(command,
+            "--hard-negatives",
+            sampling,
+            &datasets::SamplingOptions::hard_negative_share,
+            "Share of the bad pixels to draw near good ones, [0, 1]")
       ->group(group);
-  command
-      .add_option("--hard-negative-radius",
-                  sampling.hard_negative_radius_px,
-                  "… no farther than this from a good one [px]")
-      ->capture_default_str()
+  AddNumber(command,
+            "--hard-negative-radius",
+            sampling,
+            &datasets::SamplingOptions::hard_negative_radius_px,
+            "… no farther than this from a good one [px]")
       ->group(group);
 }
 

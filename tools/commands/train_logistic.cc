@@ -140,7 +140,6 @@ void RunTrainLogistic(const TrainLogisticOptions& options, const Console& consol
   RequireWritable(options.out);
   const std::array inputs = {std::filesystem::path(options.table)};
   RequireNotAnInput(options.out, inputs);
-  options.logistic.Validate();
   const datasets::Table table = datasets::ReadTable(options.table, options.label);
   const datasets::BinaryLabels labels = datasets::ToBinaryLabels(table, options.table);
   const logistic::Result result = Train(options, table, labels, console);

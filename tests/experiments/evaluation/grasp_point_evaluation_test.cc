@@ -173,7 +173,7 @@ TEST(EvaluationOptions, NameTheFieldTheValueAndTheRule) {
     return std::string("(nothing was thrown)");
   };
   EXPECT_THAT(message({.threshold = 1.5}),
-              HasSubstr("EvaluationOptions.threshold is 1.5, but must be in (0, 1)"));
+              HasSubstr("EvaluationOptions.threshold is 1.5; it must be in (0, 1)"));
   EXPECT_THAT(message({.best_pixels = 0}), HasSubstr("best_pixels is 0"));
   EXPECT_THAT(message({.best_min_probability = 1.0}), HasSubstr("in [0, 1)"));
   EXPECT_THAT(message({.suppression_radius_px = -1}), HasSubstr("-1"));

@@ -134,7 +134,7 @@ TEST(EvaluateTable, RefusesWhatItCannotEvaluateAndSaysWhy) {
 TEST(TableEvaluationOptions, NameTheFieldTheValueAndTheRule) {
   EXPECT_THROWS_MESSAGE((TableEvaluationOptions{.threshold = 0.0}.Validate()),
                         Error,
-                        HasSubstr("TableEvaluationOptions.threshold is 0, but must be in (0, 1)"));
+                        HasSubstr("TableEvaluationOptions.threshold is 0; it must be in (0, 1)"));
   EXPECT_THROWS_MESSAGE((TableEvaluationOptions{.bootstrap_resamples = 0}.Validate()),
                         Error,
                         HasSubstr("bootstrap_resamples is 0"));
