@@ -9,12 +9,16 @@
 namespace handcraft::logistic {
 namespace {
 
-bool Improves(const Point& from, const Point& to) {
-  constexpr double kRounding = 1e-14;  // a gain below this share of the value is rounding
+// Whether θ − share · step is a sufficient gain (Armijo's rule). Where the objective cannot tell,
+// its slope along the step must: Hager and Zhang 2005, "approximate Wolfe conditions".
+bool Improves(const Point& from, const Point& to, const Eigen::VectorXd& step, double share) {
+  constexpr double kSufficient = 1e-4;
+  constexpr double kRounding = 1e-10;  // a change below this share of the objective may be rounding
   if (!std::isfinite(to.value) || !to.gradient.allFinite()) return false;
-  if (to.value < from.value) return true;
-  return to.value <= from.value * (1.0 + kRounding) &&
-         to.gradient.lpNorm<Eigen::Infinity>() < from.gradient.lpNorm<Eigen::Infinity>();
+  const double slope = from.gradient.dot(step);
+  const double gain = from.value - to.value;
+  if (std::abs(gain) > kRounding * from.value) return gain >= kSufficient * share * slope;
+  return std::abs(to.gradient.dot(step)) < slope;
 }
 
 }  // namespace
@@ -28,7 +32,7 @@ bool StepDownhill(const Objective& objective,
   double share = 1.0;
   for (int halving = 0; halving <= kMaxHalvings; ++halving, share *= 0.5) {
     objective.Evaluate(point.theta - share * step, trial);
-    if (Improves(point, trial)) {
+    if (Improves(point, trial, step, share)) {
       step_halvings += halving;
       std::swap(point, trial);
       return true;

@@ -32,8 +32,11 @@ struct DescentReport {
 };
 
 /// Moves `point` to θ − step, θ − step/2, θ − step/4 …: to the first place where the objective is
-/// lower (or, within rounding, equal with a smaller gradient); `trial` then holds where it was.
+/// lower by 1e-4 of what its slope promises (Armijo), or where it is the same within 1e-10 and its
+/// slope along the step is smaller: scores of nearly collinear features cancel, so the objective is
+/// known to fewer digits than the gradient. `trial` then holds where it was.
 /// Leaves it alone and returns false when thirty halvings find none.
+/// Source: Nocedal and Wright 2006, section 3.1; Hager and Zhang 2005, section 3.
 bool StepDownhill(const Objective& objective,
                   const Eigen::VectorXd& step,
                   Point& point,

@@ -71,6 +71,14 @@ Eigen::VectorXd HessianFactor::Solve(const Eigen::VectorXd& v) const {
   return solution;
 }
 
+Eigen::MatrixXd HessianFactor::InverseRootTimes(const Eigen::MatrixXd& V) const {
+  HC_CHECK(V.rows() == size_, V.rows(), size_);
+  const Eigen::MatrixXd kept = V(kept_, Eigen::all);
+  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(size_, V.cols());
+  product(kept_, Eigen::all) = cholesky_.matrixU().solve(kept).eval();
+  return product;
+}
+
 double HessianFactor::InverseForm(const Eigen::VectorXd& v) const {
   return cholesky_.matrixL().solve(Kept(v)).squaredNorm();
 }

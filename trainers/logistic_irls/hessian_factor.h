@@ -31,6 +31,9 @@ class HessianFactor {
   /// H⁻¹ v; aliased entries are zero.
   [[nodiscard]] Eigen::VectorXd Solve(const Eigen::VectorXd& v) const;
 
+  /// L⁻ᵀ V with H = LLᵀ, so that V Vᵀ = I gives a map M with M Mᵀ = H⁻¹; aliased rows are zero.
+  [[nodiscard]] Eigen::MatrixXd InverseRootTimes(const Eigen::MatrixXd& V) const;
+
   /// vᵀ H⁻¹ v.
   [[nodiscard]] double InverseForm(const Eigen::VectorXd& v) const;
 

@@ -255,7 +255,7 @@ Result Training::Run() {
   summary.fell_back_to_double = policy_.fell_back_to_double();
   summary.deviance = point_.deviance;
   summary.aic = summary.deviance + 2.0 * static_cast<double>(summary.rank);
-  summary.gradient_norm = point_.GradientNorm();
+  summary.gradient_norm = point_.GradientNorm(policy_.aliased());
   summary.reciprocal_condition = newton_.reciprocal_condition();
   Describe(end);
   FillWeights();
@@ -284,6 +284,18 @@ std::string_view NameOf(Termination termination) noexcept {
       return "rank_deficient";
     case Termination::kNumericalFailure:
       return "numerical_failure";
+  }
+  return "unknown";
+}
+
+std::string_view NameOf(HessianPrecision precision) noexcept {
+  switch (precision) {
+    case HessianPrecision::kAuto:
+      return "auto";
+    case HessianPrecision::kSingle:
+      return "single";
+    case HessianPrecision::kDouble:
+      return "double";
   }
   return "unknown";
 }

@@ -27,6 +27,7 @@ struct DesignMatrix {
 
 /// Arithmetic of the Hessian. Gradient and deviance are always double, so the optimum is the same.
 enum class HessianPrecision { kAuto, kSingle, kDouble };
+[[nodiscard]] std::string_view NameOf(HessianPrecision precision) noexcept;
 
 struct Options {
   double ridge =
@@ -51,6 +52,7 @@ struct Options {
     visit("max_iterations", max_iterations);
     visit("gradient_tolerance", gradient_tolerance);
     visit("relative_deviance_tolerance", relative_deviance_tolerance);
+    visit("hessian_precision", NameOf(hessian_precision));
     visit("warm_start_share", warm_start_share);
     visit("seed", seed);
   }

@@ -23,7 +23,7 @@ std::optional<DescentEnd> NewtonDescent::StepWhileFactorServes(const Goal& goal,
   while (true) {
     const Eigen::VectorXd step = factor_->Solve(point.gradient);
     const double decrement = point.gradient.dot(step);
-    const bool is_close = point.GradientNorm() <= goal.gradient_norm &&
+    const bool is_close = point.GradientNorm(policy_.aliased()) <= goal.gradient_norm &&
                           std::abs(point.deviance - previous_deviance_) <=
                               goal.relative_deviance * (std::abs(point.deviance) + 0.1);
     const bool is_slow = decrement > kMaxChordRatio * previous_decrement;

@@ -23,6 +23,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Rows a call of syrk multiplies: enough to fill BLAS's own blocking, little enough for the cache.
 constexpr std::size_t kBlockRows = 384;
 
+// Rows that SquaredNorms standardises at a time: 128 kB at 500 features.
+constexpr std::size_t kMeasuredRows = 64;
+
 // Accumulators of the Hessian: a number that depends on the problem alone. Eight feed eight
 // threads; fewer when they would weigh more than an eighth of X in single precision, or cost more
 // than the products.
@@ -39,6 +42,25 @@ void AddSelfProduct(int size, int rows, const float* block, int stride, float* s
 }
 void AddSelfProduct(int size, int rows, const double* block, int stride, double* sum) {
   cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, size, rows, 1, block, stride, 1, sum, size);
+}
+
+void MultiplyTransposed(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b, Eigen::MatrixXf& ab) {
+  const auto rows = static_cast<int>(ab.rows());
+  const auto size = static_cast<int>(a.rows());
+  cblas_sgemm(CblasColMajor,
+              CblasTrans,
+              CblasNoTrans,
+              rows,
+              static_cast<int>(ab.cols()),
+              size,
+              1,
+              a.data(),
+              size,
+              b.data(),
+              size,
+              0,
+              ab.data(),
+              rows);
 }
 
 // −log P(y | z), p − y and p(1 − p) from e = exp(−|z|), without cancellation at either end.
@@ -59,6 +81,12 @@ double RootOfWeight(double z) {
 }
 
 }  // namespace
+
+double Point::GradientNorm(const std::vector<Eigen::Index>& held) const {
+  Eigen::VectorXd free = gradient;
+  free(held).setZero();
+  return free.lpNorm<Eigen::Infinity>() / static_cast<double>(scores.size());
+}
 
 struct Objective::ChunkSums {
   std::vector<double> gradient;  // Σ (p − y)(x − mean), raw units
@@ -205,19 +233,38 @@ Eigen::MatrixXd Objective::Hessian(const Point& point, const RowSample* sample) 
   return hessian;
 }
 
-std::vector<double> Objective::SquaredRowNorms() const {
-  std::vector<double> norms(num_rows_);
+// Writes norms[i] for the rows of the chunk that begins at `begin`.
+template <class T>
+void Objective::MeasureChunk(const DesignMatrix<T>& X,
+                             const Eigen::MatrixXf& map,
+                             std::size_t begin,
+                             std::span<double> norms) const {
   const ColumnScaling scaling{num_features_, moments_.mean.data(), inverse_scale_.data()};
+  const Eigen::Index size = map.rows();
+  Eigen::MatrixXf block(size, static_cast<Eigen::Index>(kMeasuredRows));  // a row of X a column
+  Eigen::MatrixXf image(map.cols(), block.cols());
+  const std::size_t end = std::min(begin + RowsPerChunk(num_rows_), num_rows_);
+  for (std::size_t first = begin; first < end; first += kMeasuredRows) {
+    const std::size_t count = std::min(kMeasuredRows, end - first);
+    for (std::size_t k = 0; k < count; ++k) {
+      float* out = block.col(static_cast<Eigen::Index>(k)).data();
+      StandardiseRow(X.Row(first + k), scaling, 1.0, out);
+      out[num_features_] = 1.0F;
+    }
+    MultiplyTransposed(map, block, image);
+    for (std::size_t k = 0; k < count; ++k) {
+      norms[first + k] = image.col(static_cast<Eigen::Index>(k)).squaredNorm();
+    }
+  }
+}
+
+std::vector<double> Objective::SquaredNorms(const Eigen::MatrixXd& map) const {
+  HC_CHECK(map.rows() == static_cast<Eigen::Index>(num_features_) + 1, map.rows(), num_features_);
+  const Eigen::MatrixXf narrow = map.cast<float>();
+  std::vector<double> norms(num_rows_);
   const std::size_t rows_per_chunk = RowsPerChunk(num_rows_);
   ParallelFor((num_rows_ + rows_per_chunk - 1) / rows_per_chunk, num_threads_, [&](std::size_t c) {
-    const std::size_t end = std::min((c + 1) * rows_per_chunk, num_rows_);
-    std::visit(
-        [&](const auto& X) {
-          for (std::size_t i = c * rows_per_chunk; i < end; ++i) {
-            norms[i] = SquaredNorm(X.Row(i), scaling);
-          }
-        },
-        X_);
+    std::visit([&](const auto& X) { MeasureChunk(X, narrow, c * rows_per_chunk, norms); }, X_);
   });
   return norms;
 }

@@ -27,10 +27,8 @@ struct Point {
   double value = 0.0;            ///< the objective
   double smallest_margin = 0.0;  ///< min_i (2 y_i − 1) z_i: > 0 when every sample is told right
 
-  /// ‖∇‖∞ / num_rows.
-  [[nodiscard]] double GradientNorm() const {
-    return gradient.lpNorm<Eigen::Infinity>() / static_cast<double>(scores.size());
-  }
+  /// ‖∇‖∞ / num_rows, over all columns but those held at zero (ascending).
+  [[nodiscard]] double GradientNorm(const std::vector<Eigen::Index>& held = {}) const;
 };
 
 /// How the scores change from one point to another.
@@ -80,8 +78,9 @@ class Objective {
   [[nodiscard]] Eigen::MatrixXd Hessian(const Point& point,
                                         const RowSample* sample = nullptr) const;
 
-  /// ‖x̃_i‖² of every row, the column of ones left out. One pass over X.
-  [[nodiscard]] std::vector<double> SquaredRowNorms() const;
+  /// ‖Mᵀx̃_i‖² of every row i, for a map M of (p + 1) × k. Products in single precision; one pass
+  /// over X.
+  [[nodiscard]] std::vector<double> SquaredNorms(const Eigen::MatrixXd& map) const;
 
   [[nodiscard]] Movement MovementBetween(const Point& from, const Point& to) const;
 
@@ -100,6 +99,12 @@ class Objective {
                 std::size_t begin,
                 std::size_t end,
                 Number* accumulator) const;
+
+  template <class T>
+  void MeasureChunk(const DesignMatrix<T>& X,
+                    const Eigen::MatrixXf& map,
+                    std::size_t begin,
+                    std::span<double> norms) const;
 
   AnyDesignMatrix X_;
   std::span<const std::uint8_t> labels_;

@@ -95,29 +95,6 @@ HC_INLINE void WeightedRowsBody(const RowTile<T>& rows,
   }
 }
 
-template <class T>
-HC_INLINE double SquaredNormBody(const T* row, const ColumnScaling& scaling) {
-  const std::size_t p = scaling.num_features;
-  const std::size_t whole = p - p % kLanes;
-  Double4 sums = {};
-  for (std::size_t j = 0; j < whole; j += kLanes) {
-    Double4 x;
-    Double4 mean;
-    Double4 factor;
-    Load(row + j, x);
-    Load(scaling.mean + j, mean);
-    Load(scaling.factor + j, factor);
-    const Double4 value = (x - mean) * factor;
-    sums += value * value;
-  }
-  double sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
-  for (std::size_t j = whole; j < p; ++j) {
-    const double value = (static_cast<double>(row[j]) - scaling.mean[j]) * scaling.factor[j];
-    sum += value * value;
-  }
-  return sum;
-}
-
 template <class T, class Out>
 HC_INLINE void StandardiseBody(const T* row,
                                const ColumnScaling& scaling,
@@ -191,15 +168,6 @@ void AddWeightedRows(const RowTile<double>& rows,
                      const double* row_factors,
                      double* sum) {
   WeightedRowsBody(rows, scaling, row_factors, sum);
-}
-
-HC_FOR_EACH_PROCESSOR
-double SquaredNorm(const float* row, const ColumnScaling& scaling) {
-  return SquaredNormBody(row, scaling);
-}
-HC_FOR_EACH_PROCESSOR
-double SquaredNorm(const double* row, const ColumnScaling& scaling) {
-  return SquaredNormBody(row, scaling);
 }
 
 HC_FOR_EACH_PROCESSOR

@@ -40,10 +40,6 @@ void AddWeightedRows(const RowTile<double>& rows,
                      const double* row_factors,
                      double* sum);
 
-/// Σ_j (factor[j] · (x_j − mean[j]))².
-[[nodiscard]] double SquaredNorm(const float* row, const ColumnScaling& scaling);
-[[nodiscard]] double SquaredNorm(const double* row, const ColumnScaling& scaling);
-
 /// out[j] = row_factor · factor[j] · (x_j − mean[j]).
 void StandardiseRow(const float* row, const ColumnScaling& scaling, double row_factor, float* out);
 void StandardiseRow(const float* row, const ColumnScaling& scaling, double row_factor, double* out);

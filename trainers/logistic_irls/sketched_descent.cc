@@ -3,6 +3,7 @@
 
 #include "trainers/logistic_irls/sketched_descent.h"
 
+#include <cmath>
 #include <deque>
 #include <limits>
 #include <utility>
@@ -44,6 +45,15 @@ Eigen::VectorXd SecantDirection(const std::deque<Secant>& secants,
   return direction;
 }
 
+// P of size × k with E[P Pᵀ] = I: ‖Pᵀv‖² estimates ‖v‖², here to a half (Achlioptas 2003).
+Eigen::MatrixXd DrawProjection(Eigen::Index size, Rng& rng) {
+  constexpr Eigen::Index kDimensions = 8;
+  const double length = 1.0 / std::sqrt(static_cast<double>(kDimensions));
+  Eigen::MatrixXd signs(size, kDimensions);
+  for (double& sign : signs.reshaped()) sign = (rng.Next() >> 63U) != 0 ? length : -length;
+  return signs;
+}
+
 void Remember(const Point& from, const Point& to, std::deque<Secant>& secants) {
   Secant secant{.step = to.theta - from.theta, .change = to.gradient - from.gradient};
   if (secant.step.dot(secant.change) > 0.0) secants.push_back(std::move(secant));
@@ -56,22 +66,25 @@ SketchedDescent::SketchedDescent(const Objective& objective,
                                  HessianPolicy& policy,
                                  std::size_t num_rows_wanted,
                                  std::uint64_t seed)
-    : objective_(objective),
-      policy_(policy),
-      num_rows_wanted_(num_rows_wanted),
-      seed_(seed),
-      squared_norms_(objective.SquaredRowNorms()) {}
+    : objective_(objective), policy_(policy), num_rows_wanted_(num_rows_wanted), seed_(seed) {}
+
+// By norm for the first sketch, when there is no H yet, then by leverage in the last one.
+RowSample SketchedDescent::Draw(const Point& point) {
+  Rng rng = Rng::Stream(seed_, "logistic_irls.sketch", num_sketches_++);
+  const auto size = static_cast<Eigen::Index>(objective_.NumFeatures()) + 1;
+  Eigen::MatrixXd map = DrawProjection(size, rng);
+  if (factor_) map = factor_->InverseRootTimes(map);
+  return DrawRows(objective_.SquaredNorms(map), point.scores, num_rows_wanted_, rng);
+}
 
 void SketchedDescent::Start(const Point& point) {
-  Rng rng = Rng::Stream(seed_, "logistic_irls.sketch", num_sketches_++);
-  const RowSample sample = DrawRows(squared_norms_, point.scores, num_rows_wanted_, rng);
-  factor_ = policy_.Start(point, &sample);
-  factor_point_.scores = point.scores;
+  const RowSample pilot = Draw(point);
+  factor_ = policy_.Start(point, &pilot);
+  if (factor_) Refresh(point);
 }
 
 bool SketchedDescent::Refresh(const Point& point) {
-  Rng rng = Rng::Stream(seed_, "logistic_irls.sketch", num_sketches_++);
-  const RowSample sample = DrawRows(squared_norms_, point.scores, num_rows_wanted_, rng);
+  const RowSample sample = Draw(point);
   factor_ = policy_.ForStep(point, &sample);
   factor_point_.scores = point.scores;
   return factor_.has_value();
@@ -103,6 +116,10 @@ DescentReport SketchedDescent::Run(const Goal& goal, Point& point) {
     previous_decrement = decrement;
     if (IsCompletelySeparated(objective_, point)) {
       report.end = DescentEnd::kCompletelySeparated;
+      break;
+    }
+    if (IsQuasiSeparated(objective_, trial, point)) {
+      report.end = DescentEnd::kQuasiSeparated;
       break;
     }
     Remember(trial, point, secants);

@@ -3,6 +3,8 @@
 
 #include "trainers/logistic_irls/downhill_step.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "tests/trainers/logistic_irls/problem.h"
@@ -39,6 +41,43 @@ TEST(StepDownhill, LeavesThePointWhenThereIsNoWayDown) {
   EXPECT_EQ(point.theta, before.theta);
   EXPECT_EQ(point.value, before.value);
   EXPECT_EQ(halvings, 0);
+}
+
+// At ten times the Newton step the objective is hardly lower, which is no gain for its slope.
+TEST(StepDownhill, WantsAGainInProportionToTheSlope) {
+  const auto problem = ProblemOf({{-1, 0}, {-1, 1}, {1, 0}, {1, 1}, {1, 1}});
+  const Objective objective(problem.X(), problem.labels, kNoScaling, 0.0, 1);
+  Point from;
+  objective.Evaluate(Eigen::Vector2d::Zero(), from);
+  double share = 1.0;  // of the gradient, with just no gain: found by bisection
+  for (double low = 0.5, high = 64.0; high - low > 1e-12;) {
+    share = 0.5 * (low + high);
+    Point to;
+    objective.Evaluate(-share * from.gradient, to);
+    (to.value < from.value ? low : high) = share;
+  }
+  Point point = from;
+  Point trial;
+  int halvings = 0;
+  ASSERT_TRUE(
+      StepDownhill(objective, share * (1.0 - 1e-6) * from.gradient, point, trial, halvings));
+  EXPECT_EQ(halvings, 1);
+}
+
+// So near the optimum that the objective is the same to its last digits, the slope must shrink.
+TEST(StepDownhill, LetsTheGradientDecideWithinRounding) {
+  const auto problem = ProblemOf({{-1, 0}, {-1, 1}, {1, 0}, {1, 1}, {1, 1}});
+  const Objective objective(problem.X(), problem.labels, kNoScaling, 0.0, 1);
+  const double half = 0.5 * std::log(2.0);  // log odds 0 at −1 and ln 2 at 1
+  Point point;
+  Point trial;
+  objective.Evaluate(Eigen::Vector2d(half + 1e-9, half), point);
+  const Eigen::Vector2d step(1e-9, 0.0);
+  int halvings = 0;
+  ASSERT_TRUE(StepDownhill(objective, step, point, trial, halvings));
+  EXPECT_EQ(halvings, 0);
+  EXPECT_NEAR(point.theta[0], half, 1e-12);
+  EXPECT_FALSE(StepDownhill(objective, -step, point, trial, halvings));  // now uphill
 }
 
 TEST(IsCompletelySeparated, IsAProofAndNeedsNoRidge) {

@@ -68,6 +68,19 @@ TEST(HessianFactor, LeavesAliasedColumnsOut) {
   EXPECT_NEAR(part->InverseDiagonal()[2], whole->InverseDiagonal()[1], 1e-14);
 }
 
+// M Mᵀ = H⁻¹ on the columns kept, zero elsewhere.
+TEST(HessianFactor, InverseRootSquaresToTheInverse) {
+  const Eigen::MatrixXd a = DrawMatrix(20, 4, 7);
+  const Eigen::MatrixXd hessian = a.transpose() * a;
+  const auto factor = HessianFactor::Make(hessian, {2});
+  ASSERT_TRUE(factor);
+  const Eigen::MatrixXd root = factor->InverseRootTimes(Eigen::MatrixXd::Identity(4, 4));
+  for (Eigen::Index j = 0; j < 4; ++j) {
+    const Eigen::VectorXd expected = factor->Solve(Eigen::VectorXd::Unit(4, j));
+    EXPECT_LE((root * root.transpose() * Eigen::VectorXd::Unit(4, j) - expected).norm(), 1e-14);
+  }
+}
+
 TEST(HessianFactor, IsNothingWhenNotPositiveDefinite) {
   Eigen::Matrix2d hessian;
   hessian << 1, 2, 2, 1;

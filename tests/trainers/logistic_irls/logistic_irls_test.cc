@@ -351,6 +351,7 @@ TEST(Options, ListTheFieldsThatShapeTheResult) {
   const FieldTexts texts = FieldsToText(Options{}, "training.");
   EXPECT_EQ(texts.at("training.ridge"), "0");
   EXPECT_EQ(texts.at("training.seed"), "1");
+  EXPECT_EQ(texts.at("training.hessian_precision"), "auto");
   EXPECT_FALSE(texts.contains("training.num_threads"));
 }
 

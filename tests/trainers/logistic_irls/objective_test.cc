@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/trainers/logistic_irls/problem.h"
@@ -103,6 +104,7 @@ TEST(Objective, FloatAndDoubleAndAnyNumberOfThreadsGiveTheSameBits) {
   const auto wide = DrawProblem<double>(9001, 11, 5);
   const ColumnMoments moments = ComputeColumnMoments(single.X(), 1);
   const Eigen::VectorXd theta = DrawTheta(12, 6);
+  const Eigen::MatrixXd map = theta * Eigen::RowVector3d(1.0, -2.0, 0.5);
   const Objective reference(wide.X(), wide.labels, moments, 1.0, 1);
   Point expected;
   reference.Evaluate(theta, expected);
@@ -115,8 +117,26 @@ TEST(Objective, FloatAndDoubleAndAnyNumberOfThreadsGiveTheSameBits) {
     EXPECT_EQ(point.gradient, expected.gradient);
     EXPECT_EQ(point.scores, expected.scores);
     EXPECT_EQ(objective.Hessian<double>(point), expected_hessian);
-    EXPECT_EQ(objective.SquaredRowNorms(), reference.SquaredRowNorms());
+    EXPECT_EQ(objective.SquaredNorms(map), reference.SquaredNorms(map));
   }
+}
+
+// Rows by hand: standardised with mean 2 and deviation 1, then the column of ones.
+TEST(Objective, SquaredNormsAreThoseOfMappedRows) {
+  const auto problem = ProblemOf({{1, 0}, {2, 1}, {3, 1}});
+  const ColumnMoments moments{.mean = {2.0}, .scale = {1.0}};
+  const Objective objective(problem.X(), problem.labels, moments, 0.0, 1);
+  const Eigen::Matrix2d map{{3.0, 0.0}, {1.0, 2.0}};  // x̃ ↦ (3 x̃ + 1, 2)
+  EXPECT_THAT(objective.SquaredNorms(map), ::testing::ElementsAre(8.0, 5.0, 20.0));
+}
+
+// A column held at zero has no say, and others have.
+TEST(Point, GradientNormLeavesOutWhatIsHeld) {
+  Point point;
+  point.scores.resize(2);
+  point.gradient = Eigen::Vector3d(1.0, -8.0, 2.0);
+  EXPECT_EQ(point.GradientNorm(), 4.0);
+  EXPECT_EQ(point.GradientNorm({1}), 1.0);
 }
 
 TEST(Objective, ASampleOfAllRowsIsAllRows) {

@@ -72,6 +72,17 @@ TEST(SketchedDescent, FindsAliasedColumns) {
   EXPECT_THAT(setting.policy.aliased(), ::testing::ElementsAre(3));
 }
 
+TEST(SketchedDescent, SuspectsQuasiCompleteSeparation) {
+  auto problem = DrawProblem<float>(3000, 5, 5);
+  for (std::size_t i = 0; i < 3000; ++i) {
+    problem.At(i, 3) = problem.labels[i] == 1 && i % 10 == 0 ? 1.0F : 0.0F;
+  }
+  Setting setting(problem);
+  setting.sketched.Start(setting.point);
+  const Goal never{.mean_square_change = 1e-30, .max_iterations = 60};
+  EXPECT_EQ(setting.sketched.Run(never, setting.point).end, DescentEnd::kQuasiSeparated);
+}
+
 TEST(SketchedDescent, ReportsCompleteSeparation) {
   auto problem = DrawProblem<float>(3000, 5, 4);
   for (std::size_t i = 0; i < 3000; ++i) problem.labels[i] = problem.At(i, 0) > 0.3F ? 1 : 0;
