@@ -15,6 +15,20 @@
 
 namespace handcraft::tools {
 
+std::vector<std::string> GivenOptions(const CLI::App& command, const std::string& group) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_group() == group && option->count() > 0) names.push_back(option->get_name());
+  }
+  return names;
+}
+
+void RefusePictureOptions(const std::vector<std::string>& given) {
+  if (given.empty()) return;
+  throw Error({.kind = Error::Kind::kUsage,
+               .reason = given.front() + " is about pictures: it needs a grasp-point model"});
+}
+
 void AddJsonFlag(CLI::App& command, bool& json) {
   command.add_flag("--json", json, "Print the result as JSON");
 }
@@ -75,6 +89,15 @@ void RequireWritable(const std::filesystem::path& path) {
     throw Error({.path = path.string(),
                  .reason = "cannot write: the folder " + folder.string() + " is not writable"});
   }
+}
+
+std::vector<std::filesystem::path> FilesOf(const datasets::LabelledImageSet& set) {
+  std::vector<std::filesystem::path> files = {set.root / "manifest.csv"};
+  for (const datasets::LabelledImage& item : set.items) {
+    files.push_back(set.root / item.image);
+    files.push_back(set.root / item.mask);
+  }
+  return files;
 }
 
 void RequireNotAnInput(const std::filesystem::path& output,

@@ -7,12 +7,25 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <CLI/App.hpp>
 
+#include "datasets/formats/labelled_image_set.h"
 #include "tools/console.h"
 
 namespace handcraft::tools {
+
+/// The group, in --help, of the options that a model of tables does not read.
+inline constexpr const char* kPictureGroup = "For models of pictures";
+
+/// The names of the options of a group that were given.
+[[nodiscard]] std::vector<std::string> GivenOptions(const CLI::App& command,
+                                                    const std::string& group);
+
+/// Throws Error(kUsage) that names the first of `given`, options of kPictureGroup, if there is one:
+/// the model is of tables.
+void RefusePictureOptions(const std::vector<std::string>& given);
 
 /// Options that mean the same in every subcommand that has them.
 void AddJsonFlag(CLI::App& command, bool& json);
@@ -32,6 +45,9 @@ void SetExample(CLI::App& command, const std::string& line);
 /// Says before the work, not after it, that a result could not be written: throws Error(kBadInput)
 /// when `path` is a folder or its folder is missing or not writable. An empty path passes.
 void RequireWritable(const std::filesystem::path& path);
+
+/// The files of a labelled image set: manifest, pictures and masks.
+[[nodiscard]] std::vector<std::filesystem::path> FilesOf(const datasets::LabelledImageSet& set);
 
 /// Throws Error(kUsage) when `output` is one of the files `inputs`, by whatever name. An empty path
 /// and "-" pass.

@@ -14,18 +14,23 @@ namespace handcraft::experiments {
 
 std::span<const Benchmark> AllBenchmarks() {
   static constexpr std::array kBenchmarks = {
-      Benchmark{"score_all500_vga",
-                "probability of every pixel of a 640x480 picture, 500 features, one core",
-                &BenchmarkScoreAll500Vga},
-      Benchmark{"score_edges54_vga",
-                "probability of every pixel of a 640x480 picture, 54 features, one core",
-                &BenchmarkScoreEdges54Vga},
-      Benchmark{"load_model",
-                "load a 500-feature model: checksum, verification, self-test",
-                &BenchmarkLoadModel},
-      Benchmark{"train_irls_154188x500",
-                "logistic regression on 154188 samples with 500 pixel features in memory, one core",
-                &BenchmarkTrainIrls},
+      Benchmark{.name = "score_all500_vga",
+                .what = "probability of every pixel of a 640x480 picture, 500 features, one core",
+                .run = &BenchmarkScoreAll500Vga,
+                .reads_repetitions = true},
+      Benchmark{.name = "score_edges54_vga",
+                .what = "probability of every pixel of a 640x480 picture, 54 features, one core",
+                .run = &BenchmarkScoreEdges54Vga,
+                .reads_repetitions = true},
+      Benchmark{.name = "load_model",
+                .what = "load a 500-feature model: checksum, verification, self-test",
+                .run = &BenchmarkLoadModel,
+                .reads_repetitions = true},
+      Benchmark{.name = "train_irls_154188x500",
+                .what = "logistic regression on 154188 samples with 500 pixel features in memory, "
+                        "one core",
+                .run = &BenchmarkTrainIrls,
+                .reads_dataset = true},
   };
   return kBenchmarks;
 }

@@ -38,6 +38,8 @@ struct Benchmark {
   std::string_view name;
   std::string_view what;
   BenchmarkResult (*run)(const BenchmarkOptions& options);
+  bool reads_dataset = false;      ///< of the options
+  bool reads_repetitions = false;  ///< of the options
 };
 
 /// Every speed that the documents claim.

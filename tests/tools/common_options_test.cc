@@ -83,6 +83,27 @@ TEST(RequireWritable, SaysBeforehandWhatIsWrong) {
   EXPECT_FALSE(std::filesystem::exists(folder / "f"));
 }
 
+TEST(GivenOptions, NamesThoseOfTheGroup) {
+  int top = 1;
+  CLI::App app;
+  app.add_option("--top", top)->group(kPictureGroup);
+  app.add_option("--radius", top)->group(kPictureGroup);
+  app.add_option("--seed", top);
+  app.parse("--seed 3 --radius 1");
+  EXPECT_THAT(GivenOptions(app, kPictureGroup), ::testing::ElementsAre("--radius"));
+  RefusePictureOptions({});
+  EXPECT_THROWS_MESSAGE(
+      RefusePictureOptions({"--radius"}), Error, HasSubstr("--radius is about pictures"));
+}
+
+TEST(FilesOf, AreManifestPicturesAndMasks) {
+  datasets::LabelledImageSet set{.root = "r", .items = {}};
+  set.items.emplace_back();
+  set.items.back().image = "i.png";
+  set.items.back().mask = "m.png";
+  EXPECT_THAT(FilesOf(set), ::testing::ElementsAre("r/manifest.csv", "r/i.png", "r/m.png"));
+}
+
 TEST(SetExample, EndsTheHelp) {
   CLI::App app;
   SetExample(app, "handcraft do it");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "datasets/formats/labelled_image_set.h"
 #include "experiments/benchmarks/benchmark.h"
 #include "experiments/evaluation/json_text.h"
 #include "lib/core/error.h"
@@ -29,6 +31,8 @@ struct BenchOptions {
   std::vector<std::string> only;
   std::string json;
   bool list = false;
+  bool dataset_given = false;
+  bool repetitions_given = false;
   experiments::BenchmarkOptions benchmark;
 };
 
@@ -56,6 +60,32 @@ std::vector<experiments::Benchmark> Choose(const std::vector<std::string>& names
     return names.empty() || std::find(names.begin(), names.end(), benchmark.name) != names.end();
   });
   return chosen;
+}
+
+// Throws Error(kUsage) for an option that none of the chosen benchmarks reads.
+void RefuseUnread(const BenchOptions& options, const std::vector<experiments::Benchmark>& chosen) {
+  const auto refuse = [&](const char* option, bool experiments::Benchmark::*reads) {
+    if (std::any_of(chosen.begin(), chosen.end(), std::mem_fn(reads))) return;
+    std::string names;
+    for (const experiments::Benchmark& benchmark : chosen) {
+      names += (names.empty() ? "" : ", ") + std::string(benchmark.name);
+    }
+    throw Error({.kind = Error::Kind::kUsage,
+                 .reason = std::string(option) + " is read by none of: " + names});
+  };
+  if (options.dataset_given) refuse("--data", &experiments::Benchmark::reads_dataset);
+  if (options.repetitions_given)
+    refuse("--repetitions", &experiments::Benchmark::reads_repetitions);
+}
+
+// Before minutes of work: the data set is there, and the result is not one of its files.
+void CheckFiles(const BenchOptions& options, const std::vector<experiments::Benchmark>& chosen) {
+  if (options.json != "-") RequireWritable(options.json);
+  const bool reads_dataset = std::any_of(
+      chosen.begin(), chosen.end(), std::mem_fn(&experiments::Benchmark::reads_dataset));
+  if (!reads_dataset) return;
+  RequireNotAnInput(options.json,
+                    FilesOf(datasets::ReadLabelledImageSet(options.benchmark.dataset)));
 }
 
 Json ToJson(const experiments::BenchmarkResult& result) {
@@ -105,13 +135,14 @@ void ListBenchmarks(const Console& console) {
 
 void RunBench(const BenchOptions& options, const Console& console) {
   if (options.list) return ListBenchmarks(console);
-  if (options.json != "-") RequireWritable(options.json);
+  const std::vector<experiments::Benchmark> chosen = Choose(options.only);
+  RefuseUnread(options, chosen);
+  CheckFiles(options, chosen);
   ProgressBar bar(console);
   const Progress progress = bar.Callback();
   experiments::BenchmarkOptions benchmark_options = options.benchmark;
   benchmark_options.progress = progress;
   std::vector<experiments::BenchmarkResult> results;
-  const std::vector<experiments::Benchmark> chosen = Choose(options.only);
   for (const experiments::Benchmark& benchmark : chosen) {
     Report(progress, benchmark.name, results.size(), chosen.size());
     results.push_back(benchmark.run(benchmark_options));
@@ -131,24 +162,34 @@ void AddBench(CLI::App& parent, const Console& console) {
   auto options = std::make_shared<BenchOptions>();
   CLI::App* command =
       parent.add_subcommand("bench", "Measure every speed we claim, beside its peer, in one run");
-  command->add_option("--only", options->only, "Benchmarks to run; may be given several times")
-      ->type_name("NAME")
-      ->expected(1)
-      ->take_all();
-  command->add_flag("--list", options->list, "Name the benchmarks and run none");
-  AddNumber(*command,
-            "--repetitions",
-            options->benchmark.repetitions,
-            IntegerWithin(1, 1000),
-            "Times the quick ones are run; the median is kept");
-  command
-      ->add_option(
-          "--data", options->benchmark.dataset, "Labelled image set that gives the pictures")
-      ->type_name("DIR")
-      ->capture_default_str();
+  CLI::Option* only =
+      command->add_option("--only", options->only, "Benchmarks to run; may be given several times")
+          ->type_name("NAME")
+          ->expected(1)
+          ->take_all();
+  CLI::Option* list =
+      command->add_flag("--list", options->list, "Name the benchmarks and run none");
+  CLI::Option* repetitions = AddNumber(*command,
+                                       "--repetitions",
+                                       options->benchmark.repetitions,
+                                       IntegerWithin(1, 1000),
+                                       "Times the quick ones are run; the median is kept");
+  CLI::Option* data = command
+                          ->add_option("--data",
+                                       options->benchmark.dataset,
+                                       "Labelled image set that gives the pictures to train on")
+                          ->type_name("DIR")
+                          ->capture_default_str();
   AddJsonFileOption(*command, options->json);
   SetExample(*command, "handcraft bench --only load_model");
-  command->callback([options, &console] { RunBench(*options, console); });
+  for (CLI::Option* other : {only, repetitions, data, command->get_option("--json")}) {
+    list->excludes(other);
+  }
+  command->callback([options, data, repetitions, &console] {
+    options->dataset_given = data->count() > 0;
+    options->repetitions_given = repetitions->count() > 0;
+    RunBench(*options, console);
+  });
 }
 
 }  // namespace handcraft::tools

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -123,6 +122,12 @@ void PrintGraspPoints(const Console& console,
   if (evaluation.classes.size() > 1) console.out << '\n' << ClassesText(evaluation.classes);
 }
 
+void RequireNotInputs(const EvaluateOptions& options,
+                      const std::vector<std::filesystem::path>& inputs) {
+  RequireNotAnInput(options.json, inputs);
+  RequireNotAnInput(options.html, inputs);
+}
+
 void EvaluateGraspPoints(const hc_model* model,
                          const EvaluateOptions& options,
                          const Console& console) {
@@ -132,8 +137,9 @@ void EvaluateGraspPoints(const hc_model* model,
                            "file",
                  .remedy = "give the folder with manifest.csv"});
   }
-  const datasets::LabelledImageSet set =
-      datasets::ReadLabelledImageSet(options.data).Only(options.split);
+  const datasets::LabelledImageSet whole_set = datasets::ReadLabelledImageSet(options.data);
+  RequireNotInputs(options, FilesOf(whole_set));
+  const datasets::LabelledImageSet set = whole_set.Only(options.split);
   ProgressBar bar(console);
   experiments::EvaluationOptions evaluation_options = options.evaluation;
   evaluation_options.progress = bar.Callback();
@@ -166,15 +172,7 @@ void PrintTable(const Console& console,
 }
 
 void EvaluateTable(const hc_model* model, const EvaluateOptions& options, const Console& console) {
-  if (!options.html.empty()) {
-    throw Error({.kind = Error::Kind::kUsage,
-                 .reason = "--html shows pictures: it needs a grasp-point model"});
-  }
-  if (!options.picture_options.empty()) {
-    throw Error({.kind = Error::Kind::kUsage,
-                 .reason = options.picture_options.front() +
-                           " is about pictures: it needs a grasp-point model"});
-  }
+  RefusePictureOptions(options.picture_options);
   const experiments::TableModel table_model = experiments::ReadTableModel(options.model);
   const datasets::Table table = experiments::ReadTableFor(table_model, options.data);
   experiments::RequireLabelsOf(table_model, table, options.data);
@@ -195,10 +193,13 @@ void EvaluateTable(const hc_model* model, const EvaluateOptions& options, const 
 void RunEvaluate(const EvaluateOptions& options, const Console& console) {
   if (options.json != "-") RequireWritable(options.json);
   RequireWritable(options.html);
-  const std::filesystem::path data = options.data;
-  const std::array inputs = {std::filesystem::path(options.model), data, data / "manifest.csv"};
-  RequireNotAnInput(options.json, inputs);
-  RequireNotAnInput(options.html, inputs);
+  RequireNotInputs(options, {options.model, options.data});
+  if (!options.html.empty() && std::filesystem::weakly_canonical(options.html) ==
+                                   std::filesystem::weakly_canonical(options.json)) {
+    throw Error({.kind = Error::Kind::kUsage,
+                 .path = options.html,
+                 .reason = "--json and --html name the same file"});
+  }
   const LoadedModel model = LoadModel(options.model);
   const auto evaluate =
       hc_model_kind(model.get()) == HC_KIND_GRASP_POINT ? EvaluateGraspPoints : EvaluateTable;
@@ -211,31 +212,30 @@ void AddMeasureOptions(CLI::App& command, experiments::EvaluationOptions& evalua
             evaluation,
             &experiments::EvaluationOptions::threshold,
             "Probability above which is 'good'");
-  const std::string group = "Grasp points";
   AddNumber(command,
             "--top",
             evaluation,
             &experiments::EvaluationOptions::best_pixels,
             "Best pixels counted an image")
-      ->group(group);
+      ->group(kPictureGroup);
   AddNumber(command,
             "--min-probability",
             evaluation,
             &experiments::EvaluationOptions::best_min_probability,
             "… if their probability is above this")
-      ->group(group);
+      ->group(kPictureGroup);
   AddNumber(command,
             "--suppression-radius",
             evaluation,
             &experiments::EvaluationOptions::suppression_radius_px,
             "… and they are farther apart than this [px]")
-      ->group(group);
+      ->group(kPictureGroup);
   AddNumber(command,
             "--pixels-per-image",
             evaluation,
             &experiments::EvaluationOptions::pixels_per_image,
             "Labelled pixels scored an image, half of them good")
-      ->group(group);
+      ->group(kPictureGroup);
   AddNumber(command,
             "--resamples",
             evaluation,
@@ -253,10 +253,12 @@ void AddEvaluate(CLI::App& parent, const Console& console) {
   command->add_option("DATA", options->data, "Labelled image set (folder) or table (.csv, .npy)")
       ->required();
   command->add_option("--split", options->split, "Split of an image set; '' for all images")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group(kPictureGroup);
   AddJsonFileOption(*command, options->json);
   command->add_option("--html", options->html, "Write a page with figures and overlays")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->group(kPictureGroup);
   AddMeasureOptions(*command, options->evaluation);
   AddSeedOption(*command, options->evaluation.seed);
   AddThreadsOption(*command, options->evaluation.num_threads);
@@ -264,10 +266,7 @@ void AddEvaluate(CLI::App& parent, const Console& console) {
              "handcraft evaluate out/demo/grasp_points.safetensors "
              "datasets/samples/cornell_mini");
   command->callback([options, command, &console] {
-    for (const char* name :
-         {"--split", "--top", "--min-probability", "--suppression-radius", "--pixels-per-image"}) {
-      if (command->count(name) > 0) options->picture_options.emplace_back(name);
-    }
+    options->picture_options = GivenOptions(*command, kPictureGroup);
     RunEvaluate(*options, console);
   });
 }

@@ -35,6 +35,10 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+constexpr const char* kPointsEnding = ".grasp_points.json";
+constexpr const char* kOverlayEnding = ".grasp_points.png";
+constexpr const char* kTableEnding = ".probabilities.csv";
+
 struct PredictOptions {
   std::string model;
   std::vector<std::string> inputs;
@@ -43,6 +47,7 @@ struct PredictOptions {
   double min_probability = 0.9;
   int suppression_radius_px = 8;
   bool json = false;
+  std::vector<std::string> picture_options;  // given, and read by grasp-point models alone
 };
 
 Json PointsJson(const std::string& path, const Image& image, const std::vector<hc_point>& points) {
@@ -70,7 +75,12 @@ Image Overlay(const Image& image,
   return perception::DrawGraspPoints(image, probabilities, marks);
 }
 
-// Scores one picture; writes <stem>.grasp_points.{json,png} when there is a folder.
+// <stem>.<ending>, the name of what is written beside others about an input.
+std::string OutputName(const std::string& input, const char* ending) {
+  return fs::path(input).stem().string() + ending;
+}
+
+// Scores one picture; writes what was found and an overlay when there is a folder.
 Json PredictImage(const hc_model* model,
                   const std::string& path,
                   const PredictOptions& options,
@@ -81,9 +91,10 @@ Json PredictImage(const hc_model* model,
       probabilities, options.top, options.min_probability, options.suppression_radius_px);
   Json json = PointsJson(path, image, points);
   if (folder != nullptr) {
-    const std::string stem = fs::path(path).stem().string() + ".grasp_points";
-    WriteFileAtomically(folder->Claim(stem + ".json"), experiments::JsonText(json));
-    perception::WritePng(folder->Claim(stem + ".png"), Overlay(image, probabilities, points));
+    WriteFileAtomically(folder->Claim(OutputName(path, kPointsEnding)),
+                        experiments::JsonText(json));
+    perception::WritePng(folder->Claim(OutputName(path, kOverlayEnding)),
+                         Overlay(image, probabilities, points));
   }
   return json;
 }
@@ -155,8 +166,7 @@ void PredictTables(const hc_model* model,
                            {"positive_label", table_model.positive_label},
                            {"probabilities", probabilities}});
     if (folder != nullptr) {
-      WriteFileAtomically(folder->Claim(fs::path(input).stem().string() + ".probabilities.csv"),
-                          csv);
+      WriteFileAtomically(folder->Claim(OutputName(input, kTableEnding)), csv);
     } else {
       text += csv;
     }
@@ -171,9 +181,25 @@ void PredictTables(const hc_model* model,
 
 // Options that fit each other and the model.
 void Validate(const PredictOptions& options, hc_kind kind) {
-  if (kind == HC_KIND_LOGISTIC && options.inputs.size() > 1 && options.out.empty() &&
-      !options.json) {
+  if (kind != HC_KIND_LOGISTIC) return;
+  RefusePictureOptions(options.picture_options);
+  if (options.inputs.size() > 1 && options.out.empty() && !options.json) {
     throw Error({.kind = Error::Kind::kUsage, .reason = "several tables need --out or --json"});
+  }
+}
+
+// Nothing that will be written is the model or one of the inputs.
+void RequireInputsStay(const PredictOptions& options, hc_kind kind) {
+  if (options.out.empty()) return;
+  std::vector<fs::path> inputs(options.inputs.begin(), options.inputs.end());
+  inputs.emplace_back(options.model);
+  const auto endings = kind == HC_KIND_GRASP_POINT
+                           ? std::vector<const char*>{kPointsEnding, kOverlayEnding}
+                           : std::vector<const char*>{kTableEnding};
+  for (const std::string& input : options.inputs) {
+    for (const char* ending : endings) {
+      RequireNotAnInput(fs::path(options.out) / OutputName(input, ending), inputs);
+    }
   }
 }
 
@@ -181,6 +207,7 @@ void RunPredict(const PredictOptions& options, const Console& console) {
   const LoadedModel model = LoadModel(options.model);
   const hc_kind kind = hc_model_kind(model.get());
   Validate(options, kind);
+  RequireInputsStay(options, kind);
   std::optional<OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out);
   const auto predict = kind == HC_KIND_GRASP_POINT ? PredictImages : PredictTables;
@@ -194,17 +221,20 @@ void AddPictureOptions(CLI::App& command, PredictOptions& options) {
             "--top",
             options.top,
             TakenBy(&experiments::EvaluationOptions::best_pixels),
-            "Grasp points a picture, at most");
+            "Grasp points a picture, at most")
+      ->group(kPictureGroup);
   AddNumber(command,
             "--min-probability",
             options.min_probability,
             TakenBy(&experiments::EvaluationOptions::best_min_probability),
-            "Only grasp points above this probability");
+            "Only grasp points above this probability")
+      ->group(kPictureGroup);
   AddNumber(command,
             "--suppression-radius",
             options.suppression_radius_px,
             TakenBy(&experiments::EvaluationOptions::suppression_radius_px),
-            "Grasp points are farther apart than this [px]; 0: no suppression");
+            "Grasp points are farther apart than this [px]; 0: no suppression")
+      ->group(kPictureGroup);
 }
 
 }  // namespace
@@ -225,7 +255,10 @@ void AddPredict(CLI::App& parent, const Console& console) {
   SetExample(*command,
              "handcraft predict out/demo/grasp_points.safetensors "
              "datasets/samples/cornell_mini/images/pcd0525r.png --out out/predictions");
-  command->callback([options, &console] { RunPredict(*options, console); });
+  command->callback([options, command, &console] {
+    options->picture_options = GivenOptions(*command, kPictureGroup);
+    RunPredict(*options, console);
+  });
 }
 
 }  // namespace handcraft::tools

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <ostream>
 #include <set>
@@ -17,6 +15,7 @@
 
 #include "datasets/formats/labelled_image_set.h"
 #include "datasets/grasp_point_samples.h"
+#include "lib/core/error.h"
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
 #include "lib/core/sha256.h"
@@ -71,8 +70,10 @@ std::size_t NumImages(const std::vector<datasets::PixelSample>& pixels) {
 }
 
 Training Train(const TrainGraspPointsOptions& options, const Console& console) {
+  const datasets::LabelledImageSet whole_set = datasets::ReadLabelledImageSet(options.dataset);
+  RequireNotAnInput(options.out, FilesOf(whole_set));
   Training training{.spec = features::ParseFeatureSpec(options.features),
-                    .set = datasets::ReadLabelledImageSet(options.dataset).Only(options.split),
+                    .set = whole_set.Only(options.split),
                     .num_images = 0,
                     .left_out = {},
                     .result = {}};
@@ -208,8 +209,6 @@ void WarnOfFewSamples(const datasets::SamplingOptions& sampling,
 
 void RunTrainGraspPoints(const TrainGraspPointsOptions& options, const Console& console) {
   RequireWritable(options.out);
-  const std::array inputs = {std::filesystem::path(options.dataset) / "manifest.csv"};
-  RequireNotAnInput(options.out, inputs);
   const Training training = Train(options, console);
   for (const std::string& warning : training.left_out) console.Warn(warning);
   RequireUsable(training.result.summary, FeatureNames(training.spec), console);
@@ -243,18 +242,29 @@ void AddSamplingOptions(CLI::App& command, datasets::SamplingOptions& sampling) 
             &datasets::SamplingOptions::image_share,
             "Share of the images to use, (0, 1]")
       ->group(group);
-  AddNumber(command,
-            "--hard-negatives",
-            sampling,
-            &datasets::SamplingOptions::hard_negative_share,
-            "Share of the bad pixels to draw near good ones, [0, 1]")
-      ->group(group);
+  CLI::Option* share = AddNumber(command,
+                                 "--hard-negatives",
+                                 sampling,
+                                 &datasets::SamplingOptions::hard_negative_share,
+                                 "Share of the bad pixels to draw near good ones, [0, 1]");
+  share->group(group);
   AddNumber(command,
             "--hard-negative-radius",
             sampling,
             &datasets::SamplingOptions::hard_negative_radius_px,
             "… no farther than this from a good one [px]")
+      ->needs(share)
       ->group(group);
+}
+
+// Options that nothing reads when every pixel is taken.
+void RefuseRatios(const CLI::App& command) {
+  for (const char* name : {"--bad-per-good", "--hard-negatives"}) {
+    if (command.count(name) == 0) continue;
+    throw Error(
+        {.kind = Error::Kind::kUsage,
+         .reason = std::string(name) + " says which pixels to draw: --samples 0 takes all"});
+  }
 }
 
 }  // namespace
@@ -284,7 +294,10 @@ void AddTrainGraspPoints(CLI::App& parent, const Console& console) {
   SetExample(*command,
              "handcraft train grasp-points datasets/samples/cornell_mini "
              "--out grasp_points.safetensors");
-  command->callback([options, &console] { RunTrainGraspPoints(*options, console); });
+  command->callback([options, command, &console] {
+    if (options->sampling.num_samples == 0) RefuseRatios(*command);
+    RunTrainGraspPoints(*options, console);
+  });
 }
 
 }  // namespace handcraft::tools

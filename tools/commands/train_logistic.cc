@@ -169,8 +169,10 @@ void AddTrainLogistic(CLI::App& parent, const Console& console) {
       ->add_option("--label", options->label, "Column of the label; NPY: its number, -1 the last")
       ->type_name("COLUMN")
       ->required();
-  command->add_option("--out", options->out, "Model file to write")->type_name("FILE");
+  CLI::Option* out =
+      command->add_option("--out", options->out, "Model file to write")->type_name("FILE");
   command->add_option("--name", options->name, "Name of the model, stored in it")
+      ->needs(out)
       ->capture_default_str();
   AddSeedOption(*command, options->logistic.seed);
   AddThreadsOption(*command, options->logistic.num_threads);

@@ -7,6 +7,7 @@
 #include "experiments/benchmarks/benchmark.h"
 #include "lib/core/file.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/tools/support/generated_data.h"
 #include "tests/tools/support/run.h"
 
 namespace handcraft::tools {
@@ -18,9 +19,8 @@ using ::testing::HasSubstr;
 using testing::Outcome;
 using testing::RunLine;
 
-constexpr const char* kQuick =
-    "bench --only load_model --repetitions 1 --data " HANDCRAFT_SOURCE_DIR
-    "/datasets/samples/cornell_mini ";
+constexpr const char* kQuick = "bench --only load_model --repetitions 1 ";
+constexpr const char* kSamples = HANDCRAFT_SOURCE_DIR "/datasets/samples/cornell_mini";
 
 TEST(Bench, ListsEveryBenchmark) {
   const Outcome outcome = RunLine("bench --list");
@@ -62,6 +62,35 @@ TEST(Bench, NamesAnUnknownBenchmarkAndThoseThereAre) {
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.err,
               AllOf(HasSubstr("no benchmark 'score'; there are: "), HasSubstr("load_model")));
+}
+
+TEST(Bench, RefusesOptionsThatNothingReads) {
+  Outcome outcome = RunLine(std::string(kQuick) + "--only score_all500_vga --data " + kSamples);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--data is read by none of: score_all500_vga, load_model"));
+  outcome = RunLine("bench --only train_irls_154188x500 --repetitions 2");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--repetitions is read by none of: train_irls_154188x500"));
+  for (const std::string option : {"--only load_model", "--repetitions 2", "--data d", "--json"}) {
+    EXPECT_EQ(RunLine("bench --list " + option).code, 2) << option;
+  }
+}
+
+TEST(Bench, ChecksItsDataBeforeTheWork) {
+  const Outcome outcome = RunLine("bench --data no/such");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("no/such"));
+}
+
+TEST(Bench, NeverOverwritesAPicture) {
+  const TemporaryDirectory folder;
+  testing::WriteImageSet(folder / "set");
+  const auto before = ReadFile(folder / "set/p1.png");
+  const Outcome outcome = RunLine("bench --data " + (folder / "set").string() + " --json " +
+                                  (folder / "set/p1.png").string());
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("would overwrite the input"));
+  EXPECT_EQ(ReadFile(folder / "set/p1.png"), before);
 }
 
 TEST(Bench, ChecksItsOutputBeforeTheWork) {

@@ -186,7 +186,16 @@ TEST_F(EvaluateTest, NeverOverwritesItsInputs) {
   expect_refused("logistic", "t.csv", "--json", "t.csv");
   expect_refused("logistic", "t.csv", "--json", "logistic");
   expect_refused("grasp", "set", "--json", "set/../set/manifest.csv");
+  expect_refused("grasp", "set", "--json", "set/p0.png");
+  expect_refused("grasp", "set", "--html", "set/p5.mask.png");
   expect_refused("grasp", "set", "--html", "grasp");
+}
+
+TEST_F(EvaluateTest, RefusesOneFileForTwoResults) {
+  const std::string file = (folder_ / "e").string();
+  const Outcome outcome = Evaluate("grasp", "set", "--json " + file + " --html " + file);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--json and --html name the same file"));
 }
 
 TEST_F(EvaluateTest, RefusesATableWithoutTheColumnsOrLabels) {

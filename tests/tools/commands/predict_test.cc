@@ -163,6 +163,39 @@ TEST_F(PredictTest, RefusesWrongOptions) {
   EXPECT_EQ(Predict({"grasp", "set/p4.png"}, "--suppression-radius -1").code, 2);
 }
 
+TEST_F(PredictTest, RefusesPictureOptionsForATable) {
+  testing::WriteTable(folder_ / "t.csv");
+  testing::TrainLogistic(folder_ / "t.csv", folder_ / "logistic");
+  for (const std::string option : {"--top", "--min-probability", "--suppression-radius"}) {
+    // As its default, which changes nothing either.
+    const std::string value = option == "--min-probability" ? " 0.9" : " 15";
+    const Outcome outcome = Predict({"logistic", "t.csv"}, option + value);
+    EXPECT_EQ(outcome.code, 2) << option;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err,
+                HasSubstr(option + " is about pictures: it needs a grasp-point model"));
+  }
+}
+
+TEST_F(PredictTest, NeverOverwritesItsInputs) {
+  testing::WriteTable(folder_ / "t.csv");
+  testing::TrainLogistic(folder_ / "t.csv", folder_ / "logistic");
+  std::filesystem::copy_file(folder_ / "set/p4.png", folder_ / "set/p5.grasp_points.png");
+  std::filesystem::copy_file(folder_ / "grasp", folder_ / "set/p5.grasp_points.json");
+  std::filesystem::copy_file(folder_ / "t.csv", folder_ / "set/t.probabilities.csv");
+  const auto expect_refused = [&](const std::vector<std::string>& model_and_inputs,
+                                  const std::string& file) {
+    const auto before = ReadFile(folder_ / file);
+    const Outcome outcome = Predict(model_and_inputs, "--out " + (folder_ / "set").string());
+    EXPECT_EQ(outcome.code, 2) << file;
+    EXPECT_THAT(outcome.err, HasSubstr("would overwrite the input"));
+    EXPECT_EQ(ReadFile(folder_ / file), before);
+  };
+  expect_refused({"grasp", "set/p5.png", "set/p5.grasp_points.png"}, "set/p5.grasp_points.png");
+  expect_refused({"set/p5.grasp_points.json", "set/p5.png"}, "set/p5.grasp_points.json");
+  expect_refused({"logistic", "t.csv", "set/t.probabilities.csv"}, "set/t.probabilities.csv");
+}
+
 TEST_F(PredictTest, GivesProbabilitiesOfATable) {
   testing::WriteTable(folder_ / "t.csv");
   testing::TrainLogistic(folder_ / "t.csv", folder_ / "logistic");

@@ -157,13 +157,29 @@ TEST_F(TrainGraspPoints, CountsTheImagesThatGaveSamples) {
   EXPECT_EQ(nlohmann::json::parse(Train("--image-share 0.5 --json").out)["num_images"], 2);
 }
 
-TEST_F(TrainGraspPoints, NeverOverwritesTheManifest) {
-  const auto before = ReadFile(set_ / "manifest.csv");
-  const Outcome outcome =
-      RunLine("train grasp-points " + set_.string() + " --out " + (set_ / "manifest.csv").string());
+TEST_F(TrainGraspPoints, RefusesOptionsThatNothingReads) {
+  const std::string train = "train grasp-points " + set_.string() + " --out " + model_.string();
+  for (const std::string option : {"--bad-per-good", "--hard-negatives"}) {
+    const Outcome outcome = RunLine(train + " --samples 0 " + option + " 1");
+    EXPECT_EQ(outcome.code, 2) << option;
+    EXPECT_THAT(outcome.err, HasSubstr(option + " says which pixels to draw"));
+  }
+  const Outcome outcome = RunLine(train + " --hard-negative-radius 9");
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("would overwrite the input"));
-  EXPECT_EQ(ReadFile(set_ / "manifest.csv"), before);
+  EXPECT_THAT(outcome.err, HasSubstr("--hard-negative-radius requires --hard-negatives"));
+  ExpectNothingLeft();
+}
+
+TEST_F(TrainGraspPoints, NeverOverwritesItsDataSet) {
+  // p5 is in the other split.
+  for (const char* file : {"manifest.csv", "p0.png", "p5.mask.png"}) {
+    const auto before = ReadFile(set_ / file);
+    const Outcome outcome =
+        RunLine("train grasp-points " + set_.string() + " --out " + (set_ / file).string());
+    EXPECT_EQ(outcome.code, 2) << file;
+    EXPECT_THAT(outcome.err, HasSubstr("would overwrite the input"));
+    EXPECT_EQ(ReadFile(set_ / file), before);
+  }
 }
 
 TEST_F(TrainGraspPoints, SaysThatANumberMustNotBeNegative) {

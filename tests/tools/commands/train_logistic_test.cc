@@ -70,6 +70,12 @@ TEST(TrainLogistic, AgreesWithR) {
   EXPECT_LT(json["gradient_norm"].get<double>(), 1e-8);
 }
 
+TEST(TrainLogistic, RefusesANameForNoModel) {
+  const Outcome outcome = RunLine("train logistic t.csv --label class --name mine");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--name requires --out"));
+}
+
 TEST(TrainLogistic, PrintsASummary) {
   const TemporaryDirectory folder;
   testing::WriteTable(folder / "t.csv");
