@@ -43,6 +43,19 @@ TEST(TextTable, TreatsDashAndNanAsMissingNumbers) {
   EXPECT_EQ(table.ToText(), "value\n  123\n    -\n  nan\n");
 }
 
+// "–" takes three bytes and one column; a column of numbers and dashes stays one of numbers.
+TEST(TextTable, AlignsTheLongDashAmongNumbersAndWords) {
+  TextTable table({"measure", "value", "95 % interval"});
+  table.AddRow({"area", "–", "–"});
+  table.AddRow({"accuracy", "86.70 %", "80.40 % to 91.90 %"});
+  table.AddRow({"a – b", "7", "words"});
+  EXPECT_EQ(table.ToText(),
+            "measure     value  95 % interval\n"
+            "area            –  –\n"
+            "accuracy  86.70 %  80.40 % to 91.90 %\n"
+            "a – b           7  words\n");
+}
+
 TEST(TextTable, TakesShortRowsAndNone) {
   TextTable table({"a", "b"});
   table.AddRow({"1"});
