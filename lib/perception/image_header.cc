@@ -100,6 +100,7 @@ ImageHeader ReadPng(const File& file) {
   constexpr std::uint32_t kIhdr = 0x49484452;
   constexpr std::uint32_t kIdat = 0x49444154;
   constexpr std::uint32_t kIend = 0x49454E44;
+  constexpr std::uint32_t kExif = 0x65584966;
   if (file.BigEndian(kFirstChunk + 4, 4) != kIhdr) {
     file.Fail(kFirstChunk, "a PNG that does not begin with its header");
   }
@@ -111,6 +112,7 @@ ImageHeader ReadPng(const File& file) {
 
   // Chunk: length, type, data, CRC over type and data.
   bool has_pixels = false;
+  bool has_exif = false;
   for (std::size_t at = kFirstChunk;;) {
     const std::size_t length = file.BigEndian(at, 4);
     const std::uint32_t type = file.BigEndian(at + 4, 4);
@@ -121,13 +123,15 @@ ImageHeader ReadPng(const File& file) {
     if (type == kIend && !has_pixels) file.Fail(at, "a damaged PNG: no pixels before its end");
     if (type == kIend) break;
     has_pixels = has_pixels || type == kIdat;
+    has_exif = has_exif || type == kExif;
     at += 12 + length;
   }
   // Colour types 0 and 4 are gray, without and with alpha.
   return {"PNG",
           static_cast<int>(width),
           static_cast<int>(height),
-          colour_type == 0 || colour_type == 4};
+          colour_type == 0 || colour_type == 4,
+          has_exif};
 }
 
 // Behind a start of scan: the place of the next marker that ends the entropy-coded data.
@@ -154,7 +158,9 @@ ImageHeader ReadFrame(const File& file, std::size_t at) {
 }
 
 ImageHeader ReadJpeg(const File& file) {
+  constexpr std::uint32_t kExif = 0xE1;
   ImageHeader header;
+  bool has_exif = false;
   for (std::size_t at = 2;;) {
     if (file.BigEndian(at, 1) != 0xFF) file.Fail(at, "a damaged JPEG: a marker is due here");
     const std::uint32_t marker = file.BigEndian(at + 1, 1);
@@ -164,8 +170,10 @@ ImageHeader ReadJpeg(const File& file) {
     }
     if (marker == 0xD9) {
       if (header.width == 0) file.Fail(at, "a JPEG without a picture");
+      header.may_turn = has_exif;
       return header;
     }
+    has_exif = has_exif || marker == kExif;
     if (IsStartOfFrame(marker)) header = ReadFrame(file, at + 4);
     const std::size_t length = file.BigEndian(at + 2, 2);
     if (length < 2) file.Fail(at, "a damaged JPEG: a segment without a length");

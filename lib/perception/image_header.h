@@ -18,9 +18,10 @@ inline constexpr std::int64_t kMaxImagePixels = std::int64_t{1} << 28;
 /// What the first bytes of a picture file say about it.
 struct ImageHeader {
   std::string_view format;  ///< "PNG", "JPEG", "BMP", "PGM" or "PPM"
-  int width = 0;            ///< [px], as stored: before a JPEG rotation tag is applied
+  int width = 0;            ///< [px], as stored: before a rotation tag is applied
   int height = 0;           ///< [px]
   bool gray = false;        ///< stored as intensities; a palette counts as colour
+  bool may_turn = false;    ///< has an Exif part, whose rotation tag can swap width and height
 };
 
 /// Reads the header and walks the file to its end without decoding a pixel, so that a file that

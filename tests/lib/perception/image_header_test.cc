@@ -9,8 +9,11 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "lib/core/error.h"
+#include "lib/core/file.h"
 #include "tests/lib/perception/png_builder.h"
 #include "tests/support/expect_throws_message.h"
+#include "tests/support/temporary_directory.h"
+#include "tests/support/turned_jpeg.h"
 
 namespace handcraft::perception {
 namespace {
@@ -64,6 +67,17 @@ TEST(ReadImageHeader, SeesAPaletteAsColour) {
 
 TEST(ReadImageHeader, SeesGrayWithAlphaAsGray) {
   EXPECT_TRUE(Read(PngBuilder(1, 1, 8, 4).Pixels({0, 9, 255}).End()).gray);
+}
+
+TEST(ReadImageHeader, SeesThatARotationTagMayTurnThePicture) {
+  const testing::TemporaryDirectory folder;
+  testing::WriteTurnedJpeg(folder / "turned.jpg", 32, 16);
+  const ImageHeader header = Read(ReadFile(folder / "turned.jpg"));
+  EXPECT_EQ(header.width, 32);
+  EXPECT_TRUE(header.may_turn);
+  EXPECT_FALSE(Read(Encoded(".jpg", CV_8UC3)).may_turn);
+  EXPECT_TRUE(Read(PngBuilder(1, 1, 8, 0).Chunk("eXIf", {1}).Pixels({0, 9}).End()).may_turn);
+  EXPECT_FALSE(Read(TinyPng()).may_turn);
 }
 
 // Law: whatever the format, no file loses its last bytes unnoticed.

@@ -16,6 +16,7 @@
 #include "tests/lib/perception/png_builder.h"
 #include "tests/support/expect_throws_message.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/turned_jpeg.h"
 
 namespace handcraft::perception {
 namespace {
@@ -70,17 +71,10 @@ TEST(ReadImage, SpreadsFewBitsOverTheRange) {
   EXPECT_THAT(image.values(), ElementsAre(255, 0, 255, 0));
 }
 
-// An Exif segment with orientation 6 (turn by 90° clockwise) behind the start of the image.
 TEST(ReadImage, AppliesTheRotationTag) {
-  cv::Mat pixels(16, 32, CV_8UC1, cv::Scalar(0));
-  pixels.colRange(0, 16).setTo(255);  // left half bright: turned, the upper half
-  ByteVector bytes;
-  cv::imencode(".jpg", pixels, bytes);
-  const ByteVector exif = {0xFF, 0xE1, 0x00, 0x22, 'E', 'x', 'i', 'f', 0, 0,    'M', 'M',
-                           0,    42,   0,    0,    0,   8,   0,   1,   1, 0x12, 0,   3,
-                           0,    0,    0,    1,    0,   6,   0,   0,   0, 0,    0,   0};
-  bytes.insert(bytes.begin() + 2, exif.begin(), exif.end());
-  const Image image = ReadBytes(bytes);
+  const testing::TemporaryDirectory folder;
+  testing::WriteTurnedJpeg(folder / "turned.jpg", 32, 16);
+  const Image image = ReadImage(folder / "turned.jpg");
   ASSERT_EQ(image.width(), 16);
   ASSERT_EQ(image.height(), 32);
   EXPECT_GT(image.At(8, 4), 240);
