@@ -20,6 +20,7 @@
 #include "lib/core/error.h"
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
+#include "lib/core/memory.h"
 #include "lib/core/option_rules.h"
 #include "lib/core/rng.h"
 #include "lib/features/pixel_features.h"
@@ -57,12 +58,12 @@ PixelCounts CountPixels(const Image& mask) {
 }
 
 // Throws when the picture's file is at fault or has another size than its mask. The header has the
-// size before a JPEG rotation tag is applied: a picture that seems not to fit is decoded to be
-// sure.
+// size before a rotation tag is applied: a picture that may have one is decoded to be sure.
 void CheckPicture(const LabelledImageSet& set, std::size_t index, const Image& mask) {
   const std::filesystem::path path = set.root / set.items[index].image;
   const perception::ImageHeader header = perception::ReadImageHeader(path, ReadFile(path));
-  if (header.width == mask.width() && header.height == mask.height()) return;
+  const bool fits = header.width == mask.width() && header.height == mask.height();
+  if (fits && !header.may_turn) return;
   static_cast<void>(ReadLabelledPicture(set, index));
 }
 
@@ -194,6 +195,19 @@ void CheckQuotas(const LabelledImageSet& set,
                .remedy = "ask for more samples or another ratio"});
 }
 
+// Before they are allocated: whether so many samples fit into memory.
+void RequireMemoryFor(std::size_t num_samples,
+                      std::size_t bytes_a_sample,
+                      const char* what,
+                      const SamplingOptions& options) {
+  const auto available = options.memory ? options.memory : AvailableMemory();
+  RequireMemory(std::uint64_t{num_samples} * bytes_a_sample,
+                available,
+                std::string(what) + " of " + NumberToText(num_samples) + " samples",
+                "use at most " + NumberToText(available.value_or(0) / bytes_a_sample) +
+                    " samples, or fewer features");
+}
+
 // The features of the samples of one image, each into its own row.
 void GatherRows(const LabelledImageSet& set,
                 std::span<const PixelSample> samples,
@@ -258,6 +272,10 @@ std::vector<PixelSample> DrawSamples(const LabelledImageSet& set, const Sampling
       ShareSamples(available, options.num_samples, options.bad_per_good);
   CheckQuotas(set, available, quotas, options);
   TellLeftOut(set, images, available, options);
+  std::size_t num_samples = 0;
+  for (const PixelCounts& quota : quotas) num_samples += quota.good + quota.bad;
+  constexpr std::size_t kCopies = 2;  // by image, then in one list
+  RequireMemoryFor(num_samples, kCopies * sizeof(PixelSample), "drawing the pixels", options);
 
   std::vector<std::vector<PixelSample>> drawn(images.size());
   for_each_image("drawing pixels", [&](std::size_t i) {
@@ -286,6 +304,10 @@ GraspPointSamples ComputeSampleFeatures(const LabelledImageSet& set,
 
   GraspPointSamples result;
   result.num_features = static_cast<std::size_t>(spec.NumFeatures());
+  RequireMemoryFor(samples.size(),
+                   result.num_features * sizeof(float) + sizeof(std::uint8_t),
+                   "computing the features",
+                   options);
   for (const PixelSample& sample : samples) result.labels.push_back(sample.label);
   result.features.resize(samples.size() * result.num_features);
   const auto gather = [&](std::size_t image) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,8 @@ struct SamplingOptions {
   int hard_negative_radius_px = 40;  ///< … no farther than this from a good pixel, ≥ 1
   std::uint64_t seed = 1;
   int num_threads = 1;
+  std::optional<std::uint64_t> memory = {};  ///< refuse what needs more [bytes]; none given: what
+                                             ///< is available at that moment
   Progress progress = {};
   /// Told, in the order of the set, each image that is left out, and why ("no good pixel").
   std::function<void(const std::string& image, std::string_view reason)> left_out = {};
@@ -62,7 +65,8 @@ struct PixelSample {
 /// Deterministic for any number of threads. Reads the masks twice, one a thread at a time, and
 /// walks each picture's file once without decoding it. Throws Error when a picture cannot be read
 /// or its mask has another size, even if nothing would be drawn from it; when no image has both
-/// kinds, or a class would get no pixel at all.
+/// kinds, or a class would get no pixel at all; and, before it is allocated, when the list of
+/// pixels would not fit into memory.
 [[nodiscard]] std::vector<PixelSample> DrawSamples(const LabelledImageSet& set,
                                                    const SamplingOptions& options);
 
@@ -74,9 +78,10 @@ struct GraspPointSamples {
   [[nodiscard]] std::size_t num_samples() const noexcept { return labels.size(); }
 };
 
-/// Computes the features of each sample, in their order; of `options` only num_threads and progress
-/// count. `samples` are sorted by image, as DrawSamples returns them. Throws Error when a picture
-/// cannot be read, or is gray and the features look at colour; std::logic_error when a sample lies
+/// Computes the features of each sample, in their order; of `options` only num_threads, memory and
+/// progress count. `samples` are sorted by image, as DrawSamples returns them. Throws Error, before
+/// the features are allocated, when they would not fit into memory; when a picture cannot be read,
+/// or is gray and the features look at colour; std::logic_error when a sample lies
 /// outside its picture. Beside the result, one picture's energies are held a thread.
 [[nodiscard]] GraspPointSamples ComputeSampleFeatures(const LabelledImageSet& set,
                                                       const std::vector<PixelSample>& samples,

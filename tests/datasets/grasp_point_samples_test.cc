@@ -17,6 +17,7 @@
 #include "tests/datasets/small_image_set.h"
 #include "tests/support/expect_throws_message.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/turned_jpeg.h"
 
 namespace handcraft::datasets {
 namespace {
@@ -26,31 +27,12 @@ using ::testing::AllOf;
 using testing::CountedMask;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using testing::MakeSet;
+using testing::MixedMask;
 using testing::NoiseImage;
 using ::testing::SizeIs;
 using testing::TemporaryDirectory;
-
-// Good and bad pixels mixed at random, a third of each kind.
-Image MixedMask(int width, int height, std::uint64_t seed) {
-  Image mask(width, height);
-  Rng rng = Rng::Stream(seed, "MixedMask");
-  for (int v = 0; v < height; ++v) {
-    for (int u = 0; u < width; ++u) {
-      mask.At(u, v) = std::array{kMaskGood, kMaskBad, kMaskDontCare}[rng.UniformInt(3)];
-    }
-  }
-  return mask;
-}
-
-// Four pictures of 40 × 30; "b" has few good pixels, "d" only bad ones.
-LabelledImageSet MakeSet(const std::filesystem::path& root) {
-  LabelledImageSet set{.root = root, .items = {}};
-  AddPicture(set, "a", NoiseImage(40, 30, 3, 1), MixedMask(40, 30, 1));
-  AddPicture(set, "b", NoiseImage(40, 30, 1, 2), CountedMask(40, 30, 20, 500));
-  AddPicture(set, "c", NoiseImage(40, 30, 3, 3), MixedMask(40, 30, 3));
-  AddPicture(set, "d", NoiseImage(40, 30, 3, 4), CountedMask(40, 30, 0, 500));
-  return set;
-}
+using testing::WriteTurnedJpeg;
 
 struct Count {
   std::size_t good = 0;
@@ -296,6 +278,42 @@ TEST(DrawSamples, RefusesAFaultyPictureEvenIfNothingIsDrawnFromIt) {
   perception::WritePng(folder / "d_mask.png", Image(40, 30, 1, kMaskBad));
   WriteFileAtomically(folder / "d.png", "no picture");
   EXPECT_THROWS_MESSAGE(DrawSamples(set, {}), Error, HasSubstr("d.png"));
+}
+
+// Its header has the size before the turn, which is not the mask's.
+TEST(DrawSamples, LeavesOutATurnedPictureOfOneClass) {
+  const TemporaryDirectory folder;
+  LabelledImageSet set = MakeSet(folder.path());
+  AddPicture(set, "turned", Image(1, 1), Image(16, 32, 1, kMaskBad));
+  set.items.back().image = "turned.jpg";
+  WriteTurnedJpeg(folder / "turned.jpg", 32, 16);
+  EXPECT_THAT(DrawSamples(set, {.num_samples = 100}), SizeIs(100));
+  perception::WritePng(folder / "turned_mask.png", Image(32, 16, 1, kMaskBad));
+  EXPECT_THROWS_MESSAGE(DrawSamples(set, {}),
+                        Error,
+                        HasSubstr("turned_mask.png: the mask is 32x16 pixels, its picture 16x32"));
+}
+
+TEST(DrawSamples, SaysBeforehandThatThePixelsDoNotFitIntoMemory) {
+  const TemporaryDirectory folder;
+  const LabelledImageSet set = MakeSet(folder.path());
+  EXPECT_THAT(DrawSamples(set, {.num_samples = 100, .memory = 2400}), SizeIs(100));
+  EXPECT_THROWS_MESSAGE(DrawSamples(set, {.num_samples = 100, .memory = 2399}),
+                        Error,
+                        HasSubstr("drawing the pixels of 100 samples needs 1 MB of memory"));
+}
+
+TEST(ComputeSampleFeatures, SaysBeforehandThatTheyDoNotFitIntoMemory) {
+  const TemporaryDirectory folder;
+  const LabelledImageSet set = MakeSet(folder.path());
+  const auto compute = [&](std::uint64_t memory) {
+    const auto samples = DrawSamples(set, {.num_samples = 100});
+    const features::FeatureSpec spec = features::ParseFeatureSpec("edges54");
+    return ComputeSampleFeatures(set, samples, spec, {.memory = memory}).num_samples();
+  };
+  EXPECT_EQ(compute(21700), 100U);
+  EXPECT_THROWS_MESSAGE(
+      compute(21699), Error, HasSubstr("(use at most 99 samples, or fewer features)"));
 }
 
 TEST(SamplingOptions, NamesTheFieldAtFault) {

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -48,6 +49,29 @@ inline void AddPicture(datasets::LabelledImageSet& set,
                        .instance = name,
                        .split = split,
                        .licence = "CC0-1.0"});
+}
+
+/// Good and bad pixels mixed at random, a third of each kind.
+inline Image MixedMask(int width, int height, std::uint64_t seed) {
+  Image mask(width, height);
+  Rng rng = Rng::Stream(seed, "MixedMask");
+  for (int v = 0; v < height; ++v) {
+    for (int u = 0; u < width; ++u) {
+      mask.At(u, v) = std::array{
+          datasets::kMaskGood, datasets::kMaskBad, datasets::kMaskDontCare}[rng.UniformInt(3)];
+    }
+  }
+  return mask;
+}
+
+/// Four pictures of 40 × 30; "b" has few good pixels, "d" only bad ones.
+inline datasets::LabelledImageSet MakeSet(const std::filesystem::path& root) {
+  datasets::LabelledImageSet set{.root = root, .items = {}};
+  AddPicture(set, "a", NoiseImage(40, 30, 3, 1), MixedMask(40, 30, 1));
+  AddPicture(set, "b", NoiseImage(40, 30, 1, 2), CountedMask(40, 30, 20, 500));
+  AddPicture(set, "c", NoiseImage(40, 30, 3, 3), MixedMask(40, 30, 3));
+  AddPicture(set, "d", NoiseImage(40, 30, 3, 4), CountedMask(40, 30, 0, 500));
+  return set;
 }
 
 }  // namespace handcraft::testing
