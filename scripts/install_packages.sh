@@ -27,6 +27,7 @@ build | libfmt-dev         | text formatting
 build | libhwy-dev         | vector instructions for AVX2, AVX-512 and NEON
 test  | libgtest-dev       | test framework
 test  | libgmock-dev       | matchers for the tests
+test  | libbenchmark-dev   | micro-benchmarks
 test  | git                | lists the files that are checked
 test  | python3            | reads model files independently of the C++ code
 test  | python3-numpy      | the same
@@ -34,7 +35,6 @@ check | clang              | fuzz targets
 check | libclang-rt-14-dev | fuzzer and sanitizer run-time
 check | clang-format       | code layout
 check | clang-tidy         | static analysis
-peers | libbenchmark-dev   | micro-benchmarks
 peers | python3            | runs scikit-learn
 peers | python3-numpy      | hands matrices to scikit-learn
 peers | python3-sklearn    | logistic regression that training is measured against

@@ -23,7 +23,8 @@ set(HANDCRAFT_THIRD_PARTY_model_io nlohmann_json::nlohmann_json)
 set(HANDCRAFT_THIRD_PARTY_datasets fmt::fmt opencv_core opencv_imgproc opencv_imgcodecs)
 set(HANDCRAFT_THIRD_PARTY_trainer Eigen3::Eigen fmt::fmt BLAS::BLAS LAPACK::LAPACK)
 set(HANDCRAFT_THIRD_PARTY_experiments
-    fmt::fmt nlohmann_json::nlohmann_json opencv_core opencv_imgproc opencv_imgcodecs BLAS::BLAS)
+    fmt::fmt nlohmann_json::nlohmann_json opencv_core opencv_imgproc opencv_imgcodecs BLAS::BLAS
+    benchmark::benchmark Eigen3::Eigen)
 set(HANDCRAFT_THIRD_PARTY_tools CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json)
 
 # The layer of a library: every folder below trainers/ is a "trainer"; one trainer never links another.

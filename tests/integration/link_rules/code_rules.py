@@ -31,6 +31,7 @@ THIRD_PARTY_HEADERS = {
     r"nlohmann/": "nlohmann_json::nlohmann_json",
     r"fmt/": "fmt::fmt",
     r"CLI/": "CLI11::CLI11",
+    r"benchmark/": "benchmark::benchmark",
     r"cblas\.h$": "BLAS::BLAS",
     r"lapacke\.h$": "LAPACK::LAPACK",
 }
