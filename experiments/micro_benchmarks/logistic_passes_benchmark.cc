@@ -64,31 +64,31 @@ benchmark::Counter Rate(const benchmark::State& state, double amount) {
   return {amount * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate};
 }
 
-void BM_ColumnMoments(benchmark::State& state) {
+void FindMoments(benchmark::State& state) {
   const Problem problem(static_cast<std::size_t>(state.range(0)));
   for (auto iteration : state) benchmark::DoNotOptimize(ComputeColumnMoments(problem.X(), 1));
   state.counters["bytes_per_second"] = Rate(state, 4.0 * problem.NumElements());
 }
-BENCHMARK(BM_ColumnMoments)->Arg(54)->Arg(500)->Unit(benchmark::kMillisecond);
+BENCHMARK(FindMoments)->Arg(54)->Arg(500)->Unit(benchmark::kMillisecond);
 
-void BM_ValueAndGradient(benchmark::State& state) {
+void ValueAndGradient(benchmark::State& state) {
   Problem problem(static_cast<std::size_t>(state.range(0)));
   const Eigen::VectorXd theta = 0.01 * Eigen::VectorXd::Ones(state.range(0) + 1);
   for (auto iteration : state) problem.objective().Evaluate(theta, problem.point());
   state.counters["bytes_per_second"] = Rate(state, 4.0 * problem.NumElements());
 }
-BENCHMARK(BM_ValueAndGradient)->Arg(54)->Arg(500)->Unit(benchmark::kMillisecond);
+BENCHMARK(ValueAndGradient)->Arg(54)->Arg(500)->Unit(benchmark::kMillisecond);
 
-void BM_Leverages(benchmark::State& state) {
+void Leverages(benchmark::State& state) {
   const Problem problem(static_cast<std::size_t>(state.range(0)));
   const Eigen::MatrixXd map = Eigen::MatrixXd::Ones(state.range(0) + 1, 8);
   for (auto iteration : state) benchmark::DoNotOptimize(problem.objective().SquaredNorms(map));
   state.counters["bytes_per_second"] = Rate(state, 4.0 * problem.NumElements());
 }
-BENCHMARK(BM_Leverages)->Arg(54)->Arg(500)->Unit(benchmark::kMillisecond);
+BENCHMARK(Leverages)->Arg(54)->Arg(500)->Unit(benchmark::kMillisecond);
 
 template <class Number>
-void BM_Hessian(benchmark::State& state) {
+void FormHessian(benchmark::State& state) {
   Problem problem(static_cast<std::size_t>(state.range(0)));
   for (auto iteration : state) {
     benchmark::DoNotOptimize(problem.objective().Hessian<Number>(problem.point()));
@@ -96,17 +96,17 @@ void BM_Hessian(benchmark::State& state) {
   const auto size = static_cast<double>(state.range(0) + 1);
   state.counters["flops"] = Rate(state, double{kNumRows} * size * (size + 1.0));
 }
-BENCHMARK_TEMPLATE(BM_Hessian, float)->Arg(54)->Arg(500)->Unit(benchmark::kMillisecond);
-BENCHMARK_TEMPLATE(BM_Hessian, double)->Arg(54)->Arg(500)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(FormHessian, float)->Arg(54)->Arg(500)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(FormHessian, double)->Arg(54)->Arg(500)->Unit(benchmark::kMillisecond);
 
-void BM_FactorAndSolve(benchmark::State& state) {
+void FactorAndSolve(benchmark::State& state) {
   Problem problem(static_cast<std::size_t>(state.range(0)));
   const Eigen::MatrixXd hessian = problem.objective().Hessian<double>(problem.point());
   for (auto iteration : state) {
     benchmark::DoNotOptimize(HessianFactor::Make(hessian, {})->Solve(problem.point().gradient));
   }
 }
-BENCHMARK(BM_FactorAndSolve)->Arg(54)->Arg(500)->Unit(benchmark::kMillisecond);
+BENCHMARK(FactorAndSolve)->Arg(54)->Arg(500)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace handcraft::logistic

@@ -24,7 +24,7 @@ features::RawImage RawView(const Image& image) {
           features::PixelFormat::kBgr8};
 }
 
-void BM_FilterPicture(benchmark::State& state, const std::string& spec_text) {
+void FilterPicture(benchmark::State& state, const std::string& spec_text) {
   const Image image = RandomPicture(3);
   const features::FeatureSpec spec = features::ParseFeatureSpec(spec_text);
   for (auto iteration : state) {
@@ -32,11 +32,11 @@ void BM_FilterPicture(benchmark::State& state, const std::string& spec_text) {
     benchmark::DoNotOptimize(planes.EnergyPlane(0));
   }
 }
-BENCHMARK_CAPTURE(BM_FilterPicture, all500, "all500")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_FilterPicture, all500_log, "all500,energy=log")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_FilterPicture, edges54, "edges54")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(FilterPicture, all500, "all500")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(FilterPicture, all500_log, "all500,energy=log")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(FilterPicture, edges54, "edges54")->Unit(benchmark::kMillisecond);
 
-void BM_GatherVector(benchmark::State& state, const std::string& spec_text) {
+void GatherVector(benchmark::State& state, const std::string& spec_text) {
   const Image image = RandomPicture(3);
   const features::PixelFeatures planes(RawView(image), features::ParseFeatureSpec(spec_text));
   std::vector<float> vector(planes.spec().NumFeatures());
@@ -48,8 +48,8 @@ void BM_GatherVector(benchmark::State& state, const std::string& spec_text) {
     benchmark::DoNotOptimize(vector.data());
   }
 }
-BENCHMARK_CAPTURE(BM_GatherVector, all500, "all500");
-BENCHMARK_CAPTURE(BM_GatherVector, edges54, "edges54");
+BENCHMARK_CAPTURE(GatherVector, all500, "all500");
+BENCHMARK_CAPTURE(GatherVector, edges54, "edges54");
 
 }  // namespace
 }  // namespace handcraft::experiments

@@ -16,7 +16,7 @@
 namespace handcraft::experiments {
 namespace {
 
-void BM_Score(benchmark::State& state, const std::string& spec_text, features::InstructionSet set) {
+void Score(benchmark::State& state, const std::string& spec_text, features::InstructionSet set) {
   const Image image = RandomPicture(3);
   const features::FeatureSpec spec = features::ParseFeatureSpec(spec_text);
   const std::vector<float> weights(spec.NumFeatures(), 0.01F);
@@ -45,9 +45,8 @@ const bool kRegistered = [] {
     for (const char* energy : {"square", "abs", "log"}) {
       const std::string spec = std::string(preset) + ",energy=" + energy;
       for (const features::InstructionSet set : features::SupportedInstructionSets()) {
-        const std::string name = "BM_Score/" + spec + "/" + std::string(features::NameOf(set));
-        benchmark::RegisterBenchmark(name.c_str(), BM_Score, spec, set)
-            ->Unit(benchmark::kMillisecond);
+        const std::string name = "Score/" + spec + "/" + std::string(features::NameOf(set));
+        benchmark::RegisterBenchmark(name.c_str(), Score, spec, set)->Unit(benchmark::kMillisecond);
       }
     }
   }

@@ -43,15 +43,15 @@ ModelPointer Load(const std::vector<std::uint8_t>& bytes) {
   return {model, &hc_model_free};
 }
 
-void BM_LoadModel(benchmark::State& state, const std::string& spec_text) {
+void LoadModel(benchmark::State& state, const std::string& spec_text) {
   const std::vector<std::uint8_t> bytes = ModelBytes(spec_text);
   for (auto iteration : state) benchmark::DoNotOptimize(Load(bytes).get());
   state.counters["model_bytes"] = static_cast<double>(bytes.size());
 }
-BENCHMARK_CAPTURE(BM_LoadModel, all500, "all500")->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(BM_LoadModel, edges54, "edges54")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(LoadModel, all500, "all500")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(LoadModel, edges54, "edges54")->Unit(benchmark::kMicrosecond);
 
-void BM_ScoreImage(benchmark::State& state, const std::string& spec_text) {
+void ScoreImage(benchmark::State& state, const std::string& spec_text) {
   const ModelPointer model = Load(ModelBytes(spec_text));
   const Image picture = RandomPicture(3);
   hc_workspace* workspace = nullptr;
@@ -67,11 +67,11 @@ void BM_ScoreImage(benchmark::State& state, const std::string& spec_text) {
   }
   hc_workspace_free(workspace);
 }
-BENCHMARK_CAPTURE(BM_ScoreImage, all500_log, "all500,energy=log")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_ScoreImage, edges54_log, "edges54,energy=log")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(ScoreImage, all500_log, "all500,energy=log")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(ScoreImage, edges54_log, "edges54,energy=log")->Unit(benchmark::kMillisecond);
 
 // Noise is the worst case: every neighbourhood has a peak of its own.
-void BM_TopK(benchmark::State& state) {
+void TopK(benchmark::State& state) {
   Rng rng = Rng::Stream(1, "micro_benchmarks.probabilities");
   std::vector<float> probabilities(std::size_t{640} * 480);
   for (float& probability : probabilities) probability = static_cast<float>(rng.Uniform());
@@ -82,7 +82,7 @@ void BM_TopK(benchmark::State& state) {
              HC_OK);
   }
 }
-BENCHMARK(BM_TopK)->Arg(1)->Arg(15)->Arg(100)->Unit(benchmark::kMillisecond);
+BENCHMARK(TopK)->Arg(1)->Arg(15)->Arg(100)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace handcraft::experiments
