@@ -9,21 +9,15 @@ import pathlib
 import struct
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from crc32c import crc32c  # noqa: E402
+
 GOLDEN = pathlib.Path(__file__).resolve().parents[1] / "data/models/v1_logistic.safetensors"
 HEADER = ('{"__metadata__":{"hc.format":"1.0","hc.kind":"none"},'
           '"a":{"dtype":"F32","shape":[2],"data_offsets":[0,8]},'
           '"b":{"dtype":"U8","shape":[1,3],"data_offsets":[8,11]},'
           '"zz.crc":{"dtype":"U8","shape":[8],"data_offsets":[11,19]}}')
 DATA = struct.pack("<ff", 1.0, 2.0) + bytes([7, 8, 9])
-
-
-def crc32c(data):
-    crc = 0xFFFFFFFF
-    for byte in data:
-        crc ^= byte
-        for _ in range(8):
-            crc = (crc >> 1) ^ (0x82F63B78 & -(crc & 1))
-    return crc ^ 0xFFFFFFFF
 
 
 def sealed(data):

@@ -3,9 +3,6 @@
 
 #include "datasets/importers/cornell.h"
 
-#include <sys/resource.h>
-
-#include <csignal>
 #include <iterator>
 #include <map>
 #include <string>
@@ -14,6 +11,7 @@
 #include "lib/core/file.h"
 #include "tests/datasets/small_image_set.h"
 #include "tests/support/expect_throws_message.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/temporary_directory.h"
 
 namespace handcraft::datasets {
@@ -198,20 +196,15 @@ TEST(ImportCornell, LeavesNothingBehindOnFailure) {
       ImportCornell(folder / "cornell", folder / "out", {}), Error, HasSubstr("is there already"));
 }
 
-// A limit on file size fails a write in mid-file, as a full disk does.
 TEST(ImportCornell, LeavesNothingBehindWhenTheDiskIsFull) {
   const TemporaryDirectory folder;
   AddCornellPicture(folder / "cornell", "0100");
-  std::signal(SIGXFSZ, SIG_IGN);
-  rlimit before{};
-  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-  rlimit small = before;
-  small.rlim_cur = 1000;
-  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-  EXPECT_THROWS_MESSAGE(ImportCornell(folder / "cornell", folder / "out", {}),
-                        Error,
-                        HasSubstr("pcd0100r.png: cannot write"));
-  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  {
+    const testing::FullDisk full_disk;
+    EXPECT_THROWS_MESSAGE(ImportCornell(folder / "cornell", folder / "out", {}),
+                          Error,
+                          HasSubstr("pcd0100r.png: cannot write"));
+  }
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
 }
 

@@ -4,15 +4,14 @@
 #include "lib/core/file.h"
 
 #include <fcntl.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <iterator>
 
 #include "lib/core/error.h"
 #include "tests/support/expect_throws_message.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/temporary_directory.h"
 
 namespace handcraft {
@@ -98,20 +97,15 @@ TEST(WriteFileAtomically, NeedsTheFolder) {
       WriteFileAtomically(folder / "no/f", "x"), Error, HasSubstr("cannot create the file"));
 }
 
-// A limit on file size fails the write in mid-file, as a full disk does.
 TEST(WriteFileAtomically, KeepsTheOldFileWhenTheDiskIsFull) {
   const testing::TemporaryDirectory folder;
   WriteFileAtomically(folder / "f", "old");
-  std::signal(SIGXFSZ, SIG_IGN);
-  rlimit before{};
-  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-  rlimit small = before;
-  small.rlim_cur = 1000;
-  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-  EXPECT_THROWS_MESSAGE(WriteFileAtomically(folder / "f", std::string(5000, 'x')),
-                        Error,
-                        HasSubstr("cannot write: File too large"));
-  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  {
+    const testing::FullDisk full_disk;
+    EXPECT_THROWS_MESSAGE(WriteFileAtomically(folder / "f", std::string(5000, 'x')),
+                          Error,
+                          HasSubstr("cannot write: File too large"));
+  }
   EXPECT_EQ(ReadTextFile(folder / "f"), "old");
   EXPECT_EQ(NumEntries(folder.path()), 1U);
 }

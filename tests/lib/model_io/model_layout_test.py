@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the Handcraft authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads model files as docs/model_format.md § 2 describes them, with Python's JSON parser, its own
-CRC-32C and nothing of the C++ code.
+"""Reads model files as docs/model_format.md § 2 describes them, with Python's JSON parser, a
+CRC-32C of its own and nothing of the C++ code.
 
     model_layout_test.py FILE...
 """
@@ -9,21 +9,16 @@ CRC-32C and nothing of the C++ code.
 import array
 import json
 import math
+import pathlib
 import re
 import struct
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support"))
+from crc32c import crc32c  # noqa: E402
+
 ITEM_BYTES = {"F64": 8, "I64": 8, "F32": 4, "I32": 4, "U8": 1}
 ARRAY_TYPES = {"F64": "d", "I64": "q", "F32": "f", "I32": "i", "U8": "B"}
-
-
-def crc32c(data):
-    crc = 0xFFFFFFFF
-    for byte in data:
-        crc ^= byte
-        for _ in range(8):
-            crc = (crc >> 1) ^ (0x82F63B78 & -(crc & 1))
-    return crc ^ 0xFFFFFFFF
 
 
 def read_tensors(data):

@@ -5,23 +5,21 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/formats/labelled_image_set.h"
-#include "tests/support/temporary_directory.h"
 #include "tests/tools/support/generated_data.h"
 #include "tests/tools/support/run.h"
 
 namespace handcraft::tools {
 namespace {
 
-using handcraft::testing::TemporaryDirectory;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using testing::Outcome;
 using testing::RunArgs;
 
-TEST(DataInfo, CountsSplits) {
-  const TemporaryDirectory folder;
-  testing::WriteImageSet(folder / "set");
-  const Outcome outcome = RunArgs({"data", "info", (folder / "set").string()});
+using DataInfo = testing::ImageSetTest;
+
+TEST_F(DataInfo, CountsSplits) {
+  const Outcome outcome = RunArgs({"data", "info", set_.string()});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(outcome.out,
@@ -32,21 +30,17 @@ TEST(DataInfo, CountsSplits) {
                     HasSubstr("fingerprint  ")));
 }
 
-TEST(DataInfo, TellsMachinesTheSame) {
-  const TemporaryDirectory folder;
-  testing::WriteImageSet(folder / "set");
-  const auto json =
-      nlohmann::json::parse(RunArgs({"data", "info", (folder / "set").string(), "--json"}).out);
+TEST_F(DataInfo, TellsMachinesTheSame) {
+  const auto json = nlohmann::json::parse(RunArgs({"data", "info", set_.string(), "--json"}).out);
   EXPECT_EQ(json["num_images"], 6);
-  EXPECT_EQ(json["fingerprint"],
-            datasets::Fingerprint(datasets::ReadLabelledImageSet(folder / "set")));
+  EXPECT_EQ(json["fingerprint"], datasets::Fingerprint(datasets::ReadLabelledImageSet(set_)));
   ASSERT_EQ(json["splits"].size(), 2U);
   EXPECT_EQ(json["splits"][1]["name"], "train");
   EXPECT_EQ(json["splits"][1]["num_pixels"], 4 * 64 * 48);
   EXPECT_GT(json["splits"][1]["num_bad_pixels"], json["splits"][1]["num_good_pixels"]);
 }
 
-TEST(DataInfo, NamesAMissingFolder) {
+TEST_F(DataInfo, NamesAMissingFolder) {
   const Outcome outcome = RunArgs({"data", "info", "no/such/folder"});
   EXPECT_EQ(outcome.code, 3);
   EXPECT_EQ(outcome.out, "");

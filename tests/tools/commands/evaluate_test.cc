@@ -11,14 +11,12 @@
 #include "datasets/formats/labelled_image_set.h"
 #include "lib/core/file.h"
 #include "lib/perception/image_io.h"
-#include "tests/support/temporary_directory.h"
 #include "tests/tools/support/generated_data.h"
 #include "tests/tools/support/run.h"
 
 namespace handcraft::tools {
 namespace {
 
-using handcraft::testing::TemporaryDirectory;
 using ::testing::AllOf;
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
@@ -28,12 +26,12 @@ using testing::Outcome;
 using testing::RunLine;
 using ::testing::StartsWith;
 
-class EvaluateTest : public ::testing::Test {
+class EvaluateTest : public testing::ImageSetTest {
  protected:
   void SetUp() override {
-    testing::WriteImageSet(folder_ / "set");
+    ImageSetTest::SetUp();
     testing::WriteTable(folder_ / "t.csv");
-    testing::TrainGraspPoints(folder_ / "set", folder_ / "grasp");
+    testing::TrainGraspPoints(set_, folder_ / "grasp");
     testing::TrainLogistic(folder_ / "t.csv", folder_ / "logistic");
   }
 
@@ -53,8 +51,6 @@ class EvaluateTest : public ::testing::Test {
       perception::WritePng(mask, Image(old.width(), old.height(), 1, value));
     }
   }
-
-  TemporaryDirectory folder_;
 };
 
 TEST_F(EvaluateTest, PrintsConfusionMatrixAndIntervals) {
@@ -187,7 +183,7 @@ TEST_F(EvaluateTest, NeverOverwritesItsInputs) {
   expect_refused("logistic", "t.csv", "--json", "logistic");
   expect_refused("grasp", "set", "--json", "set/../set/manifest.csv");
   expect_refused("grasp", "set", "--json", "set/p0.png");
-  expect_refused("grasp", "set", "--html", "set/p5.mask.png");
+  expect_refused("grasp", "set", "--html", "set/p5_mask.png");
   expect_refused("grasp", "set", "--html", "grasp");
 }
 

@@ -10,14 +10,12 @@
 
 #include "lib/core/file.h"
 #include "lib/perception/image_io.h"
-#include "tests/support/temporary_directory.h"
 #include "tests/tools/support/generated_data.h"
 #include "tests/tools/support/run.h"
 
 namespace handcraft::tools {
 namespace {
 
-using handcraft::testing::TemporaryDirectory;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using testing::NumEntries;
@@ -33,11 +31,11 @@ constexpr std::array<std::uint8_t, 68> kPng16Bit = {
     0xda, 0x63, 0x60, 0x64, 0x02, 0x00, 0x00, 0x07, 0x00, 0x04, 0xe5, 0xed, 0x94, 0xcf,
     0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
 
-class PredictTest : public ::testing::Test {
+class PredictTest : public testing::ImageSetTest {
  protected:
   void SetUp() override {
-    testing::WriteImageSet(folder_ / "set");
-    testing::TrainGraspPoints(folder_ / "set", folder_ / "grasp");
+    ImageSetTest::SetUp();
+    testing::TrainGraspPoints(set_, folder_ / "grasp");
   }
 
   // Runs `predict` with a model and inputs of the folder; options follow.
@@ -49,8 +47,6 @@ class PredictTest : public ::testing::Test {
   }
 
   [[nodiscard]] std::string OutOption() const { return " --out " + (folder_ / "out").string(); }
-
-  TemporaryDirectory folder_;
 };
 
 TEST_F(PredictTest, RanksGraspPointsBestFirst) {

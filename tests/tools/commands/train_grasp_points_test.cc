@@ -8,24 +8,20 @@
 #include "lib/core/file.h"
 #include "lib/core/sha256.h"
 #include "lib/perception/image_io.h"
-#include "tests/support/temporary_directory.h"
 #include "tests/tools/support/generated_data.h"
 #include "tests/tools/support/run.h"
 
 namespace handcraft::tools {
 namespace {
 
-using handcraft::testing::TemporaryDirectory;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using testing::NumEntries;
 using testing::Outcome;
 using testing::RunLine;
 
-class TrainGraspPoints : public ::testing::Test {
+class TrainGraspPoints : public testing::ImageSetTest {
  protected:
-  void SetUp() override { testing::WriteImageSet(set_); }
-
   // Trains into folder_/m with few features and samples.
   [[nodiscard]] Outcome Train(const std::string& options = "",
                               const std::string& features = "edges54") const {
@@ -36,8 +32,6 @@ class TrainGraspPoints : public ::testing::Test {
   // Nothing but the data set is there.
   void ExpectNothingLeft() const { EXPECT_EQ(NumEntries(folder_.path()), 1U); }
 
-  TemporaryDirectory folder_;
-  std::filesystem::path set_ = folder_ / "set";
   std::filesystem::path model_ = folder_ / "m";
 };
 
@@ -125,23 +119,23 @@ TEST_F(TrainGraspPoints, RefusesColourFeaturesOnGrayPictures) {
 TEST_F(TrainGraspPoints, NamesTheMaskThatDoesNotFit) {
   Image mask(10, 10, 1, datasets::kMaskBad);
   mask.At(5, 5) = datasets::kMaskGood;
-  perception::WritePng(set_ / "p1.mask.png", mask);
+  perception::WritePng(set_ / "p1_mask.png", mask);
   const Outcome outcome = Train();
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("p1.mask.png"));
+  EXPECT_THAT(outcome.err, HasSubstr("p1_mask.png"));
   ExpectNothingLeft();
 }
 
 TEST_F(TrainGraspPoints, NamesTheMaskThatDoesNotFitThoughItHasOneClass) {
-  perception::WritePng(set_ / "p1.mask.png", Image(10, 10, 1, datasets::kMaskBad));
+  perception::WritePng(set_ / "p1_mask.png", Image(10, 10, 1, datasets::kMaskBad));
   const Outcome outcome = Train();
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("p1.mask.png: the mask is 10x10 pixels, its picture 64x48"));
+  EXPECT_THAT(outcome.err, HasSubstr("p1_mask.png: the mask is 10x10 pixels, its picture 64x48"));
   ExpectNothingLeft();
 }
 
 TEST_F(TrainGraspPoints, WarnsOfAPictureLeftOut) {
-  perception::WritePng(set_ / "p1.mask.png", Image(64, 48, 1, datasets::kMaskBad));
+  perception::WritePng(set_ / "p1_mask.png", Image(64, 48, 1, datasets::kMaskBad));
   const Outcome outcome = Train("--json");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.err, "handcraft: warning: left out: p1.png, no good pixel\n");
@@ -172,7 +166,7 @@ TEST_F(TrainGraspPoints, RefusesOptionsThatNothingReads) {
 
 TEST_F(TrainGraspPoints, NeverOverwritesItsDataSet) {
   // p5 is in the other split.
-  for (const char* file : {"manifest.csv", "p0.png", "p5.mask.png"}) {
+  for (const char* file : {"manifest.csv", "p0.png", "p5_mask.png"}) {
     const auto before = ReadFile(set_ / file);
     const Outcome outcome =
         RunLine("train grasp-points " + set_.string() + " --out " + (set_ / file).string());
@@ -192,7 +186,7 @@ TEST_F(TrainGraspPoints, SaysThatANumberMustNotBeNegative) {
 
 TEST_F(TrainGraspPoints, RefusesMasksOfOneClass) {
   for (int i = 0; i < 6; ++i) {
-    perception::WritePng(set_ / ("p" + std::to_string(i) + ".mask.png"), Image(64, 48, 1, 0));
+    perception::WritePng(set_ / ("p" + std::to_string(i) + "_mask.png"), Image(64, 48, 1, 0));
   }
   const Outcome outcome = Train();
   EXPECT_EQ(outcome.code, 3);

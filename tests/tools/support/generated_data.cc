@@ -12,7 +12,7 @@
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
 #include "lib/core/rng.h"
-#include "lib/perception/image_io.h"
+#include "tests/datasets/small_image_set.h"
 #include "tests/tools/support/run.h"
 
 namespace handcraft::tools::testing {
@@ -55,14 +55,9 @@ void WriteImageSet(const std::filesystem::path& folder, int channels) {
   for (int i = 0; i < 6; ++i) {
     const datasets::LabelledPicture picture = DrawPicture(i, channels);
     const std::string name = "p" + std::to_string(i);
-    set.items.push_back({.image = name + ".png",
-                         .mask = name + ".mask.png",
-                         .object_class = i % 2 == 0 ? "bar" : "disc",
-                         .instance = name,
-                         .split = i < 4 ? "train" : "test",
-                         .licence = "CC0-1.0"});
-    perception::WritePng(folder / set.items.back().image, picture.image);
-    perception::WritePng(folder / set.items.back().mask, picture.mask);
+    handcraft::testing::AddPicture(
+        set, name, picture.image, picture.mask, i < 4 ? "train" : "test");
+    set.items.back().object_class = i % 2 == 0 ? "bar" : "disc";
   }
   datasets::WriteManifest(set);
 }

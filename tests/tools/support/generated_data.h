@@ -6,11 +6,24 @@
 #include <filesystem>
 #include <string>
 
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_directory.h"
+
 namespace handcraft::tools::testing {
 
 /// A labelled image set of six noisy 64 × 48 pictures (four "train", two "test", classes "bar" and
 /// "disc"), each with one bright object whose middle is good. Easy, but not separable.
 void WriteImageSet(const std::filesystem::path& folder, int channels = 3);
+
+/// A test with such a set in set_, in a folder of its own.
+class ImageSetTest : public ::testing::Test {
+ protected:
+  void SetUp() override { WriteImageSet(set_); }
+
+  handcraft::testing::TemporaryDirectory folder_;
+  std::filesystem::path set_ = folder_ / "set";
+};
 
 /// A table "x1,x2,class" of 60 rows, labels "no" and "yes", not separable.
 void WriteTable(const std::filesystem::path& path);
