@@ -217,6 +217,12 @@ LabelledPicture ReadLabelledPicture(const LabelledImageSet& set, std::size_t ind
   return picture;
 }
 
+std::set<std::string> LicencesOf(const LabelledImageSet& set) {
+  std::set<std::string> licences;
+  for (const LabelledImage& item : set.items) licences.insert(item.licence);
+  return licences;
+}
+
 std::string Fingerprint(const LabelledImageSet& set) {
   std::vector<std::string> lines;
   for (const LabelledImage& item : set.items) {

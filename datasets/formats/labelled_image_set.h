@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,9 @@ struct LabelledPicture {
 /// SHA-256 over sorted (path, SHA-256 of image, SHA-256 of mask, class, instance, split): same
 /// data, same text, wherever the folder lies.
 [[nodiscard]] std::string Fingerprint(const LabelledImageSet& set);
+
+/// The licences of its pictures, each once.
+[[nodiscard]] std::set<std::string> LicencesOf(const LabelledImageSet& set);
 
 /// What `handcraft data check` prints: each fault with its file (relative to the folder), nothing
 /// when all is well. Pictures that cannot be read, masks that do not fit, hold other values or lack

@@ -59,18 +59,12 @@ std::map<std::string, SplitFigures> CountSplits(const datasets::LabelledImageSet
   return splits;
 }
 
-std::set<std::string> LicencesOf(const datasets::LabelledImageSet& set) {
-  std::set<std::string> licences;
-  for (const datasets::LabelledImage& item : set.items) licences.insert(item.licence);
-  return licences;
-}
-
 nlohmann::ordered_json ToJson(const datasets::LabelledImageSet& set,
                               const std::map<std::string, SplitFigures>& splits) {
   nlohmann::ordered_json json{{"folder", set.root.string()},
                               {"num_images", set.items.size()},
                               {"fingerprint", datasets::Fingerprint(set)},
-                              {"licences", LicencesOf(set)},
+                              {"licences", datasets::LicencesOf(set)},
                               {"splits", nlohmann::ordered_json::array()}};
   for (const auto& [name, split] : splits) {
     json["splits"].push_back({{"name", name},
@@ -99,7 +93,7 @@ void PrintText(const Console& console,
          fmt::format("{:.2f}", Percent(split.pixels - split.good - split.bad, split.pixels))});
   }
   console.out << "Labelled image set " << set.root.string() << "\n\n" << table.ToText() << '\n';
-  for (const std::string& licence : LicencesOf(set))
+  for (const std::string& licence : datasets::LicencesOf(set))
     console.out << "licence      " << licence << '\n';
   console.out << "fingerprint  " << datasets::Fingerprint(set) << '\n';
 }

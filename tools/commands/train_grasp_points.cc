@@ -98,12 +98,6 @@ Training Train(const TrainGraspPointsOptions& options, const Console& console) {
   return training;
 }
 
-std::string LicencesOf(const datasets::LabelledImageSet& set) {
-  std::set<std::string> licences;
-  for (const datasets::LabelledImage& item : set.items) licences.insert(item.licence);
-  return fmt::format("{}", fmt::join(licences, "; "));
-}
-
 model_io::Provenance ProvenanceOf(const TrainGraspPointsOptions& options,
                                   const Training& training) {
   const logistic::Summary& summary = training.result.summary;
@@ -113,7 +107,8 @@ model_io::Provenance ProvenanceOf(const TrainGraspPointsOptions& options,
   model_io::Provenance provenance{
       .name = options.name,
       .task = "grasp_point",
-      .licence = "trained on pictures under: " + LicencesOf(training.set),
+      .licence = fmt::format("trained on pictures under: {}",
+                             fmt::join(datasets::LicencesOf(training.set), "; ")),
       .intended_use = "ranks the pixels of a picture by how likely a gripper can close there",
       .limits = "sees local texture and edges alone: best on scenes like the training pictures",
       .algorithm = "logistic_irls",

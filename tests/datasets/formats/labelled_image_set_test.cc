@@ -173,6 +173,13 @@ TEST(ReadLabelledPicture, NamesWhatIsWrongWithTheMask) {
       ReadLabelledPicture(set, 0), Error, HasSubstr("a_mask.png: the file is empty"));
 }
 
+TEST(LicencesOf, NamesEachOnce) {
+  const LabelledImageSet set = ReadRows(
+      "i/1.png,m/1.png,mug,a,train,MIT\ni/2.png,m/2.png,mug,b,train,CC0-1.0\n"
+      "i/3.png,m/3.png,mug,c,train,MIT\n");
+  EXPECT_THAT(LicencesOf(set), ::testing::ElementsAre("CC0-1.0", "MIT"));
+}
+
 TEST(Fingerprint, IsTheHashOfTheDocumentedText) {
   const TemporaryDirectory folder;
   const LabelledImageSet set = MakeSet(folder.path()).Only("test");
