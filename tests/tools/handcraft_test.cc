@@ -3,12 +3,12 @@
 
 #include "tools/handcraft.h"
 
-#include <array>
 #include <filesystem>
 #include <ostream>
 #include <regex>
 #include <sstream>
 #include <streambuf>
+#include <utility>
 
 #include <gmock/gmock.h>
 
@@ -132,7 +132,8 @@ TEST(RunHandcraft, RefusesEveryWrongNumberInOneForm) {
     for (std::sregex_iterator match(help.begin(), help.end(), number_option), end; match != end;
          ++match) {
       const std::string option = (*match)[1];
-      const Outcome outcome = RunLine(command + " a b " + option + " x");
+      std::string line = command + " a b ";
+      const Outcome outcome = RunLine(line.append(option).append(" x"));
       EXPECT_EQ(outcome.code, 2) << command;
       EXPECT_THAT(outcome.err, HasSubstr(option + ": x given; it must be a ")) << command;
     }
@@ -141,22 +142,24 @@ TEST(RunHandcraft, RefusesEveryWrongNumberInOneForm) {
 
 // The rules are the library's, whose messages name fields; people gave an option.
 TEST(RunHandcraft, NamesTheOptionTheValueAndTheRule) {
-  const std::vector<std::array<std::string, 4>> cases = {
-      {"data import cornell s --out o", "--good-share", "0", "in (0, 1]"},
-      {"data import cornell s --out o", "--max-images", "-1", "0 or more"},
-      {"train grasp-points d --out o", "--samples", "-5", "0 or more"},
-      {"train grasp-points d --out o", "--bad-per-good", "inf", "greater than 0"},
-      {"train grasp-points d --out o", "--ridge", "-1", "a finite number >= 0"},
-      {"train logistic t --label l", "--warm-start", "1", "in [0, 1)"},
-      {"evaluate m d", "--resamples", "0", "at least 1"},
-      {"evaluate m d", "--pixels-per-image", "-3", "at least 2"},
-      {"evaluate m d", "--top", "10001", "from 1 to 10000"},
-      {"predict m i", "--min-probability", "1", "in [0, 1)"},
-      {"bench", "--repetitions", "1001", "from 1 to 1000"}};
-  for (const auto& [line, option, value, rule] : cases) {
-    EXPECT_THAT(RunLine(line + " " + option + " " + value).err,
-                StartsWith("handcraft: error: " + option + ": " + value + " given; it must be " +
-                           rule + "\nTry "));
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"data import cornell s --out o --good-share 0",
+       "--good-share: 0 given; it must be in (0, 1]"},
+      {"data import cornell s --out o --max-images -1",
+       "--max-images: -1 given; it must be 0 or more"},
+      {"train grasp-points d --out o --samples -5", "--samples: -5 given; it must be 0 or more"},
+      {"train grasp-points d --out o --bad-per-good inf",
+       "--bad-per-good: inf given; it must be greater than 0"},
+      {"train grasp-points d --out o --ridge -1",
+       "--ridge: -1 given; it must be a finite number >= 0"},
+      {"train logistic t --label l --warm-start 1", "--warm-start: 1 given; it must be in [0, 1)"},
+      {"evaluate m d --resamples 0", "--resamples: 0 given; it must be at least 1"},
+      {"evaluate m d --pixels-per-image -3", "--pixels-per-image: -3 given; it must be at least 2"},
+      {"evaluate m d --top 10001", "--top: 10001 given; it must be from 1 to 10000"},
+      {"predict m i --min-probability 1", "--min-probability: 1 given; it must be in [0, 1)"},
+      {"bench --repetitions 1001", "--repetitions: 1001 given; it must be from 1 to 1000"}};
+  for (const auto& [line, message] : cases) {
+    EXPECT_THAT(RunLine(line).err, StartsWith("handcraft: error: " + message + "\nTry ")) << line;
   }
 }
 

@@ -154,7 +154,8 @@ TEST_F(TrainGraspPoints, CountsTheImagesThatGaveSamples) {
 TEST_F(TrainGraspPoints, RefusesOptionsThatNothingReads) {
   const std::string train = "train grasp-points " + set_.string() + " --out " + model_.string();
   for (const std::string option : {"--bad-per-good", "--hard-negatives"}) {
-    const Outcome outcome = RunLine(train + " --samples 0 " + option + " 1");
+    std::string line = train + " --samples 0 ";
+    const Outcome outcome = RunLine(line.append(option).append(" 1"));
     EXPECT_EQ(outcome.code, 2) << option;
     EXPECT_THAT(outcome.err, HasSubstr(option + " says which pixels to draw"));
   }
