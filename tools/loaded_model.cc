@@ -10,17 +10,36 @@
 #include "lib/core/error.h"
 
 namespace handcraft::tools {
+namespace {
+
+Error::Details DetailsOf(const hc_error& error) {
+  Error::Details details{.reason = error.message};
+  if (error.byte_offset != UINT64_MAX) details.byte = error.byte_offset;
+  return details;
+}
+
+}  // namespace
+
 LoadedModel LoadModel(const std::filesystem::path& path) {
   hc_model* model = nullptr;
   hc_error error{};
   if (hc_model_load_file(path.c_str(), &model, &error) != HC_OK) {
-    Error::Details details{.path = path.string(), .reason = error.message};
+    Error::Details details = DetailsOf(error);
+    details.path = path.string();
     const std::string named_again = ": " + details.path;  // the runtime ends some messages so
     if (details.reason.ends_with(named_again)) {
       details.reason.resize(details.reason.size() - named_again.size());
     }
-    if (error.byte_offset != UINT64_MAX) details.byte = error.byte_offset;
     throw Error(std::move(details));
+  }
+  return LoadedModel(model);
+}
+
+LoadedModel LoadModel(std::span<const std::uint8_t> bytes) {
+  hc_model* model = nullptr;
+  hc_error error{};
+  if (hc_model_load_memory(bytes.data(), bytes.size(), &model, &error) != HC_OK) {
+    throw Error(DetailsOf(error));
   }
   return LoadedModel(model);
 }

@@ -3,8 +3,10 @@
 
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -20,6 +22,9 @@ using LoadedModel = std::unique_ptr<hc_model, FreeModel>;
 
 /// Throws Error(kBadInput) with the runtime's own words and the byte offset.
 [[nodiscard]] LoadedModel LoadModel(const std::filesystem::path& path);
+
+/// The same from a model file's bytes.
+[[nodiscard]] LoadedModel LoadModel(std::span<const std::uint8_t> bytes);
 
 /// A metadata value, empty when there is none.
 [[nodiscard]] std::string MetadataOf(const hc_model* model, const char* key);

@@ -25,6 +25,16 @@ TEST(LoadModel, LoadsWhatWasTrained) {
   EXPECT_EQ(MetadataOf(model.get(), "hc.no_such_key"), "");
 }
 
+TEST(LoadModel, LoadsBytesAsItLoadsFiles) {
+  const TemporaryDirectory folder;
+  testing::WriteTable(folder / "t.csv");
+  testing::TrainLogistic(folder / "t.csv", folder / "m");
+  std::vector<std::uint8_t> bytes = ReadFile(folder / "m");
+  EXPECT_EQ(MetadataOf(LoadModel(bytes).get(), "hc.label_column"), "class");
+  bytes[bytes.size() / 2] ^= 1U;
+  EXPECT_THROWS_MESSAGE(LoadModel(bytes), Error, HasSubstr("checksum"));
+}
+
 TEST(LoadModel, PassesOnTheRuntimesWordsAndOffset) {
   const TemporaryDirectory folder;
   EXPECT_THROWS_MESSAGE(LoadModel(folder / "missing"),

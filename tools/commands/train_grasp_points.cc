@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <set>
 #include <string>
@@ -15,6 +17,7 @@
 
 #include "datasets/formats/labelled_image_set.h"
 #include "datasets/grasp_point_samples.h"
+#include "experiments/evaluation/grasp_point_evaluation.h"
 #include "lib/core/error.h"
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
@@ -24,6 +27,7 @@
 #include "lib/model_io/model_writer.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
+#include "tools/held_out_figures.h"
 #include "tools/logistic_options.h"
 #include "tools/number_option.h"
 #include "tools/progress_bar.h"
@@ -40,6 +44,8 @@ struct TrainGraspPointsOptions {
   std::string name = "grasp_points";
   std::string features = "all500,energy=log";
   std::string split = "train";
+  std::string held_out = "test";
+  bool held_out_is_given = false;
   datasets::SamplingOptions sampling;
   logistic::Options logistic;
   std::uint64_t seed = 1;
@@ -51,9 +57,11 @@ struct TrainGraspPointsOptions {
 struct Training {
   features::FeatureSpec spec;
   datasets::LabelledImageSet set;
+  std::optional<datasets::LabelledImageSet> held_out;
   std::size_t num_images = 0;  // that gave samples
   std::vector<std::string> left_out;
   logistic::Result result;
+  std::optional<experiments::GraspPointEvaluation> evaluation;  // on held_out
 };
 
 std::vector<std::string> FeatureNames(const features::FeatureSpec& spec) {
@@ -69,14 +77,37 @@ std::size_t NumImages(const std::vector<datasets::PixelSample>& pixels) {
   return images.size();
 }
 
+// The images to measure on, if there are any that training does not see. A split that was asked
+// for must be there; the one by default need not.
+std::optional<datasets::LabelledImageSet> HeldOutOf(const datasets::LabelledImageSet& set,
+                                                    const TrainGraspPointsOptions& options) {
+  const bool is_seen = options.split.empty() || options.split == options.held_out;
+  if (options.held_out_is_given && !options.held_out.empty()) {
+    if (is_seen) {
+      throw Error(
+          {.kind = Error::Kind::kUsage,
+           .reason = fmt::format("--held-out {}: training sees these images", options.held_out),
+           .remedy = "name another split than --split, or none: --held-out ''"});
+    }
+    return set.Only(options.held_out);
+  }
+  const bool is_there = std::any_of(set.items.begin(), set.items.end(), [&](const auto& item) {
+    return item.split == options.held_out;
+  });
+  if (options.held_out.empty() || is_seen || !is_there) return std::nullopt;
+  return set.Only(options.held_out);
+}
+
 Training Train(const TrainGraspPointsOptions& options, const Console& console) {
   const datasets::LabelledImageSet whole_set = datasets::ReadLabelledImageSet(options.dataset);
   RequireNotAnInput(options.out, FilesOf(whole_set));
   Training training{.spec = features::ParseFeatureSpec(options.features),
                     .set = whole_set.Only(options.split),
+                    .held_out = HeldOutOf(whole_set, options),
                     .num_images = 0,
                     .left_out = {},
-                    .result = {}};
+                    .result = {},
+                    .evaluation = {}};
   ProgressBar bar(console);
   datasets::SamplingOptions sampling = options.sampling;
   logistic::Options logistic = options.logistic;
@@ -125,6 +156,8 @@ model_io::Provenance ProvenanceOf(const TrainGraspPointsOptions& options,
                         {"train.gradient_norm", NumberToText(summary.gradient_norm)},
                         {"train.iterations", NumberToText(summary.iterations)},
                         {"train.termination", std::string(NameOf(summary.termination))}};
+  if (training.evaluation)
+    provenance.metrics.merge(MetadataOf(*training.evaluation, options.held_out));
   return provenance;
 }
 
@@ -136,6 +169,47 @@ std::vector<std::uint8_t> ModelBytes(const TrainGraspPointsOptions& options,
                                     .feature_scale = training.result.feature_scale};
   return model_io::Serialise(
       model_io::MakeGraspPointModel(training.spec, model, ProvenanceOf(options, training)));
+}
+
+// Measures the model on the images held out. What is wrong with those must not cost the model.
+void MeasureHeldOut(const TrainGraspPointsOptions& options,
+                    const Console& console,
+                    Training& training) {
+  if (!training.held_out) return;
+  ProgressBar bar(console);
+  try {
+    training.evaluation = EvaluateHeldOut(
+        ModelBytes(options, training),
+        *training.held_out,
+        {.seed = options.seed, .num_threads = options.num_threads, .progress = bar.Callback()});
+  } catch (const Error& error) {
+    bar.Clear();
+    console.Warn(fmt::format("no held-out figures: {}", error.what()));
+  }
+}
+
+nlohmann::ordered_json HeldOutJson(const Training& training) {
+  if (!training.evaluation) return nullptr;
+  const experiments::GroupFigures& all = training.evaluation->all;
+  return {{"num_images", all.num_images},
+          {"auc", all.auc.value},
+          {"auc_low", all.auc.low},
+          {"auc_high", all.auc.high},
+          {"accuracy", all.accuracy.value},
+          {"log_loss", all.log_loss}};
+}
+
+// What cannot be formed is NaN, shown as a dash.
+std::string Rounded(double value) { return std::isnan(value) ? "–" : fmt::format("{:.3f}", value); }
+
+std::string HeldOutText(const experiments::GroupFigures& all, const std::string& split) {
+  return fmt::format("AUC {} ({} to {}), accuracy {} on {} images ({})",
+                     Rounded(all.auc.value),
+                     Rounded(all.auc.low),
+                     Rounded(all.auc.high),
+                     Rounded(all.accuracy.value),
+                     all.num_images,
+                     split);
 }
 
 // Mean over samples of −ln(probability given to the right label).
@@ -161,7 +235,8 @@ void PrintJson(const Console& console,
                  {"gradient_norm", summary.gradient_norm},
                  {"iterations", summary.iterations},
                  {"termination", NameOf(summary.termination)},
-                 {"message", summary.message}});
+                 {"message", summary.message},
+                 {"held_out", HeldOutJson(training)}});
 }
 
 void PrintText(const Console& console,
@@ -188,6 +263,9 @@ void PrintText(const Console& console,
   table.AddRow(
       {"training",
        fmt::format("{}, gradient {:.1e} a sample", summary.message, summary.gradient_norm)});
+  if (training.evaluation) {
+    table.AddRow({"held out", HeldOutText(training.evaluation->all, options.held_out)});
+  }
   table.AddRow({"model", options.out});
   table.AddRow({"sha256", sha256});
   console.out << table.ToText();
@@ -204,10 +282,11 @@ void WarnOfFewSamples(const datasets::SamplingOptions& sampling,
 
 void RunTrainGraspPoints(const TrainGraspPointsOptions& options, const Console& console) {
   RequireWritable(options.out);
-  const Training training = Train(options, console);
+  Training training = Train(options, console);
   for (const std::string& warning : training.left_out) console.Warn(warning);
   RequireUsable(training.result.summary, FeatureNames(training.spec), console);
   WarnOfFewSamples(options.sampling, training.result.summary, console);
+  MeasureHeldOut(options, console, training);
   const std::vector<std::uint8_t> bytes = ModelBytes(options, training);
   WriteFileAtomically(options.out, bytes);
   if (options.json) {
@@ -279,6 +358,12 @@ void AddTrainGraspPoints(CLI::App& parent, const Console& console) {
       ->capture_default_str();
   command->add_option("--split", options->split, "Split to train on; '' for all images")
       ->capture_default_str();
+  CLI::Option* held_out =
+      command
+          ->add_option("--held-out",
+                       options->held_out,
+                       "Split to measure the model on, kept in the file; '' for none")
+          ->capture_default_str();
   command->add_option("--name", options->name, "Name of the model, stored in it")
       ->capture_default_str();
   AddSeedOption(*command, options->seed);
@@ -289,7 +374,8 @@ void AddTrainGraspPoints(CLI::App& parent, const Console& console) {
   SetExample(*command,
              "handcraft train grasp-points datasets/samples/cornell_mini "
              "--out grasp_points.safetensors");
-  command->callback([options, command, &console] {
+  command->callback([options, command, held_out, &console] {
+    options->held_out_is_given = held_out->count() > 0;
     if (options->sampling.num_samples == 0) RefuseRatios(*command);
     RunTrainGraspPoints(*options, console);
   });

@@ -52,6 +52,51 @@ TEST_F(TrainGraspPoints, WritesAModelThatTellsItsOrigin) {
   EXPECT_THAT(metadata["hc.licence"].get<std::string>(), HasSubstr("CC0-1.0"));
 }
 
+// The figures kept in the model are those of `evaluate` on the same split.
+TEST_F(TrainGraspPoints, KeepsHeldOutFiguresInTheModel) {
+  const Outcome outcome = Train();
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("on 2 images (test)"));
+  const auto metadata =
+      nlohmann::json::parse(RunLine("inspect --json " + model_.string()).out)["metadata"];
+  const auto evaluation = nlohmann::json::parse(
+      RunLine("evaluate --json - " + model_.string() + " " + set_.string()).out);
+  for (const char* key : {"auc", "accuracy", "log_loss"}) {
+    const std::string text = metadata["hc.metrics.held_out." + std::string(key)];
+    EXPECT_EQ(std::stod(text), evaluation[key].get<double>()) << key;
+  }
+  EXPECT_EQ(metadata["hc.metrics.held_out.data_fingerprint"], evaluation["data_fingerprint"]);
+  EXPECT_TRUE(metadata.contains("hc.metrics.held_out.auc_low"));
+}
+
+TEST_F(TrainGraspPoints, HoldsNothingOutWhenThereIsNothing) {
+  for (const char* options : {"--held-out ''", "--split ''", "--split test"}) {
+    const auto json = nlohmann::json::parse(Train("--json " + std::string(options)).out);
+    EXPECT_TRUE(json["held_out"].is_null()) << options;
+  }
+  EXPECT_EQ(nlohmann::json::parse(Train("--json").out)["held_out"]["num_images"], 2);
+}
+
+TEST_F(TrainGraspPoints, RefusesToMeasureOnWhatTrainingSees) {
+  for (const char* options : {"--held-out train", "--split '' --held-out test"}) {
+    const Outcome outcome = Train(options);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("training sees these images"));
+  }
+  EXPECT_THAT(Train("--held-out none").err, HasSubstr("no split 'none'; there are:"));
+  ExpectNothingLeft();
+}
+
+// A picture that cannot be read costs the figures, not the model.
+TEST_F(TrainGraspPoints, WarnsWhenHeldOutImagesCannotBeRead) {
+  const auto test = datasets::ReadLabelledImageSet(set_).Only("test");
+  WriteFileAtomically(set_ / test.items.front().image, "not a picture");
+  const Outcome outcome = Train();
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("warning: no held-out figures: "));
+  EXPECT_TRUE(std::filesystem::exists(model_));
+}
+
 TEST_F(TrainGraspPoints, TellsMachinesTheSame) {
   const auto json = nlohmann::json::parse(Train("--json").out);
   EXPECT_EQ(json["sha256"], Sha256Hex(ReadFile(model_)));

@@ -22,7 +22,7 @@ Outcome RunArgs(const std::vector<std::string>& args) {
 Outcome RunLine(const std::string& line) {
   std::istringstream words(line);
   std::vector<std::string> args;
-  for (std::string word; words >> word;) args.push_back(word);
+  for (std::string word; words >> word;) args.push_back(word == "''" ? "" : word);
   return RunArgs(args);
 }
 

@@ -18,7 +18,7 @@ struct Outcome {
 /// Runs `handcraft` in this process on the arguments.
 [[nodiscard]] Outcome RunArgs(const std::vector<std::string>& args);
 
-/// As RunArgs, with the line split at blanks; no quoting.
+/// As RunArgs, with the line split at blanks; no quoting but '' for an empty argument.
 [[nodiscard]] Outcome RunLine(const std::string& line);
 
 }  // namespace handcraft::tools::testing
