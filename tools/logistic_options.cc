@@ -45,7 +45,7 @@ void AddLogisticOptions(CLI::App& command, logistic::Options& options) {
             "--warm-start",
             options,
             &logistic::Options::warm_start_share,
-            "Share of the samples to optimise on first; 0: none")
+            "Share of the samples that the first Hessians are estimated from; 0: all")
       ->group(group);
   command
       .add_option_function<std::string>(

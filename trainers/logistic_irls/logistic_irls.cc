@@ -15,6 +15,7 @@
 
 #include "lib/core/check.h"
 #include "lib/core/error.h"
+#include "lib/core/option_rules.h"
 #include "trainers/logistic_irls/column_moments.h"
 #include "trainers/logistic_irls/downhill_step.h"
 #include "trainers/logistic_irls/hessian_factor.h"
@@ -32,13 +33,6 @@ namespace {
 constexpr double kFinalMeanSquareChange = 1e-22;
 // Standard errors need W at the optimum: this bounds its relative error.
 constexpr double kLargestChangeForStandardErrors = 1e-5;
-
-void Require(bool holds, std::string_view field, double value, std::string_view rule) {
-  if (holds) return;
-  throw Error(
-      {.kind = Error::Kind::kUsage,
-       .reason = fmt::format("logistic::Options.{} is {}: it must be {}", field, value, rule)});
-}
 
 template <class T>
 void CheckInput(const DesignMatrix<T>& X, std::span<const std::uint8_t> labels) {
@@ -301,18 +295,20 @@ std::string_view NameOf(HessianPrecision precision) noexcept {
 }
 
 void Options::Validate() const {
-  Require(ridge >= 0.0 && std::isfinite(ridge), "ridge", ridge, "a finite number >= 0");
-  Require(max_iterations >= 1, "max_iterations", max_iterations, ">= 1");
-  Require(gradient_tolerance > 0.0, "gradient_tolerance", gradient_tolerance, "> 0");
-  Require(relative_deviance_tolerance > 0.0,
-          "relative_deviance_tolerance",
-          relative_deviance_tolerance,
-          "> 0");
-  Require(warm_start_share >= 0.0 && warm_start_share < 1.0,
-          "warm_start_share",
-          warm_start_share,
-          "in [0, 1)");
-  Require(num_threads >= 1, "num_threads", num_threads, ">= 1");
+  const std::string name = "logistic::Options.";
+  RequireOption(
+      ridge >= 0.0 && std::isfinite(ridge), name + "ridge", ridge, "a finite number >= 0");
+  RequireOption(max_iterations >= 1, name + "max_iterations", max_iterations, ">= 1");
+  RequireOption(gradient_tolerance > 0.0, name + "gradient_tolerance", gradient_tolerance, "> 0");
+  RequireOption(relative_deviance_tolerance > 0.0,
+                name + "relative_deviance_tolerance",
+                relative_deviance_tolerance,
+                "> 0");
+  RequireOption(warm_start_share >= 0.0 && warm_start_share < 1.0,
+                name + "warm_start_share",
+                warm_start_share,
+                "in [0, 1)");
+  RequireOption(num_threads >= 1, name + "num_threads", num_threads, ">= 1");
 }
 
 template <class T>

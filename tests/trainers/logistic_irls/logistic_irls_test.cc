@@ -338,13 +338,13 @@ TEST(Options, ValidateNamesFieldValueAndRule) {
     EXPECT_THROWS_MESSAGE(options.Validate(), Error, HasSubstr(text));
   };
   EXPECT_NO_THROW(Options{}.Validate());
-  message({.ridge = -1.0}, "Options.ridge is -1: it must be a finite number >= 0");
+  message({.ridge = -1.0}, "Options.ridge is -1; it must be a finite number >= 0");
   message({.ridge = std::numeric_limits<double>::infinity()}, "Options.ridge is inf");
-  message({.max_iterations = 0}, "Options.max_iterations is 0: it must be >= 1");
-  message({.gradient_tolerance = 0.0}, "Options.gradient_tolerance is 0: it must be > 0");
+  message({.max_iterations = 0}, "Options.max_iterations is 0; it must be >= 1");
+  message({.gradient_tolerance = 0.0}, "Options.gradient_tolerance is 0; it must be > 0");
   message({.relative_deviance_tolerance = std::nan("")}, "relative_deviance_tolerance is nan");
-  message({.warm_start_share = 1.0}, "Options.warm_start_share is 1: it must be in [0, 1)");
-  message({.num_threads = 0}, "Options.num_threads is 0: it must be >= 1");
+  message({.warm_start_share = 1.0}, "Options.warm_start_share is 1; it must be in [0, 1)");
+  message({.num_threads = 0}, "Options.num_threads is 0; it must be >= 1");
 }
 
 TEST(Options, ListTheFieldsThatShapeTheResult) {
