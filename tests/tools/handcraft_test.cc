@@ -31,6 +31,7 @@ using ::testing::StartsWith;
 const std::vector<std::string>& AllCommands() {
   static const std::vector<std::string> commands = {"data info",
                                                     "data check",
+                                                    "data import folders",
                                                     "data import cornell",
                                                     "train grasp-points",
                                                     "train logistic",

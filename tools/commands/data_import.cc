@@ -4,70 +4,61 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
-#include "datasets/importers/cornell.h"
+#include "datasets/importers/image_set_import.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
+#include "tools/import_formats.h"
 #include "tools/number_option.h"
 #include "tools/progress_bar.h"
 
 namespace handcraft::tools {
 namespace {
 
-struct ImportCornellOptions {
+struct DataImportOptions {
   std::string source;
   std::string out;
-  datasets::CornellOptions cornell;
+  SourceLister list;
+  datasets::ImportOptions import;
   bool json = false;
 };
 
-void AddPolicyOptions(CLI::App& command, datasets::CornellOptions& cornell) {
-  AddNumber(command,
-            "--good-share",
-            cornell,
-            &datasets::CornellOptions::good_share,
-            "Central share of a rectangle's opening that is good, the rest is don't care");
-  AddNumber(command,
-            "--dont-care-margin",
-            cornell,
-            &datasets::CornellOptions::dont_care_margin_px,
-            "Nothing nearer than this to a rectangle is called bad [px]");
-  command.add_flag_callback(
-      "--no-negative-rectangles",
-      [&cornell] { cornell.use_negative_rectangles = false; },
-      "Do not call the inside of negative rectangles (cneg) bad");
-  AddNumber(command,
-            "--instance-span",
-            cornell,
-            &datasets::CornellOptions::instance_span,
-            "Numbers that make one instance: neighbours show the same object");
+void AddSharedOptions(CLI::App& command, DataImportOptions& options) {
+  command.add_option("--out", options.out, "Folder to make; must not exist or be empty")
+      ->type_name("DIR")
+      ->required();
   AddNumber(command,
             "--test-share",
-            cornell,
-            &datasets::CornellOptions::test_share,
-            "Share of the instances put into 'test'");
-  AddNumber(command,
-            "--split-gap",
-            cornell,
-            &datasets::CornellOptions::split_gap,
-            "Training pictures this close in number to the test ones are left out");
+            options.import,
+            &datasets::ImportOptions::test_share,
+            "Share of the instances put into 'test', those last by name");
   AddNumber(command,
             "--max-images",
-            cornell,
-            &datasets::CornellOptions::max_images,
-            "Keep this many, evenly spread over the numbers; 0: all");
-  command.add_option("--licence", cornell.licence, "Written into the manifest")
+            options.import,
+            &datasets::ImportOptions::max_images,
+            "Keep this many, evenly spread over the pictures; 0: all");
+  command
+      .add_option("--instance-pattern",
+                  options.import.instance_pattern,
+                  "Regular expression; its first group in a picture's path is the instance")
+      ->type_name("REGEX");
+  command.add_option("--licence", options.import.licence, "Written into the manifest")
       ->capture_default_str();
+  AddThreadsOption(command, options.import.num_threads);
+  AddJsonFlag(command, options.json);
 }
 
-void RunImportCornell(const ImportCornellOptions& options, const Console& console) {
+void RunDataImport(const DataImportOptions& options, const Console& console) {
+  options.import.Validate();
+  datasets::SourceSet source = options.list(options.source);
   ProgressBar bar(console);
-  datasets::CornellOptions cornell = options.cornell;
-  cornell.progress = bar.Callback();
+  datasets::ImportOptions import = options.import;
+  import.progress = bar.Callback();
   const datasets::LabelledImageSet set =
-      datasets::ImportCornell(options.source, options.out, cornell);
+      datasets::ImportPictures(std::move(source), options.out, import);
   bar.Clear();
   if (options.json) {
     console.Print({{"folder", options.out},
@@ -83,22 +74,15 @@ void RunImportCornell(const ImportCornellOptions& options, const Console& consol
 void AddDataImport(CLI::App& parent, const Console& console) {
   CLI::App* import = parent.add_subcommand("import", "Turn a public data set into a labelled one");
   import->require_subcommand(1);
-  auto options = std::make_shared<ImportCornellOptions>();
-  CLI::App* command = import->add_subcommand(
-      "cornell", "Cornell grasping data set: photographs and grasp rectangles into label masks");
-  command
-      ->add_option("SRC",
-                   options->source,
-                   "Folder with pcdNNNNr.png beside pcdNNNNcpos.txt, in one folder or in 01, 02, …")
-      ->required();
-  command->add_option("--out", options->out, "Folder to make; must not exist or be empty")
-      ->type_name("DIR")
-      ->required();
-  AddPolicyOptions(*command, options->cornell);
-  AddThreadsOption(*command, options->cornell.num_threads);
-  AddJsonFlag(*command, options->json);
-  SetExample(*command, "handcraft data import cornell tests/data/cornell --out out/cornell");
-  command->callback([options, &console] { RunImportCornell(*options, console); });
+  for (const ImportFormat& format : ImportFormats()) {
+    auto options = std::make_shared<DataImportOptions>();
+    CLI::App* command = import->add_subcommand(format.name, format.description);
+    command->add_option("SRC", options->source, format.source)->required();
+    options->list = format.add_options(*command);
+    AddSharedOptions(*command, *options);
+    SetExample(*command, std::string("handcraft data import ") + format.example);
+    command->callback([options, &console] { RunDataImport(*options, console); });
+  }
 }
 
 }  // namespace handcraft::tools

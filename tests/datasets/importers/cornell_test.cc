@@ -3,7 +3,6 @@
 
 #include "datasets/importers/cornell.h"
 
-#include <iterator>
 #include <map>
 #include <string>
 
@@ -11,7 +10,6 @@
 #include "lib/core/file.h"
 #include "tests/datasets/small_image_set.h"
 #include "tests/support/expect_throws_message.h"
-#include "tests/support/full_disk.h"
 #include "tests/support/temporary_directory.h"
 
 namespace handcraft::datasets {
@@ -36,6 +34,13 @@ void AddCornellPicture(const fs::path& folder, const std::string& number) {
   WriteFileAtomically(folder / ("pcd" + number + "cpos.txt"), kRectangle);
 }
 
+LabelledImageSet ImportCornell(const fs::path& tree,
+                               const fs::path& out,
+                               const CornellOptions& options = {},
+                               const ImportOptions& import = {}) {
+  return ImportPictures(ListCornell(tree, options), out, import);
+}
+
 std::vector<std::string> NumbersOf(const LabelledImageSet& set, const std::string& split) {
   std::vector<std::string> numbers;
   for (const LabelledImage& item : set.items) {
@@ -46,12 +51,11 @@ std::vector<std::string> NumbersOf(const LabelledImageSet& set, const std::strin
 
 TEST(CornellOptions, HasTheDocumentedDefaults) {
   const CornellOptions options;
-  EXPECT_DOUBLE_EQ(options.good_share, 1.0 / 3.0);
-  EXPECT_EQ(options.dont_care_margin_px, 12);
+  EXPECT_DOUBLE_EQ(options.mask.good_share, 1.0 / 3.0);
+  EXPECT_EQ(options.mask.dont_care_margin_px, 12);
   EXPECT_TRUE(options.use_negative_rectangles);
   EXPECT_EQ(options.instance_span, 10);
   EXPECT_EQ(options.split_gap, 10);
-  EXPECT_EQ(options.max_images, 0);
 }
 
 TEST(ImportCornell, ReadsTheOriginalTree) {
@@ -62,7 +66,7 @@ TEST(ImportCornell, ReadsTheOriginalTree) {
   WriteFileAtomically(tree / "02/pcd0250cneg.txt", "0 0\r\n3 0\r\n3 3\r\n0 3\r\n");
   WriteFileAtomically(tree / "01/pcd0100.txt", "a point cloud");
   WriteFileAtomically(tree / "pcdb0002r.png", "a background, not read");
-  const LabelledImageSet set = ImportCornell(tree, folder / "out", {});
+  const LabelledImageSet set = ImportCornell(tree, folder / "out");
 
   ASSERT_THAT(set.items, SizeIs(2));
   EXPECT_EQ(set.items[0].image, "images/pcd0100r.png");
@@ -88,7 +92,7 @@ TEST(ImportCornell, ReadsImagesBesideRecoveredLabelsAndGraspTypes) {
   fs::create_directory(tree / "labels");
   fs::rename(tree / "images/pcd0100cpos.txt", tree / "labels/pcd0100cpos_recovered.txt");
   WriteFileAtomically(tree / "grasp_type.csv", "image,grasp_type\npcd0100r.png,2\n");
-  const LabelledImageSet set = ImportCornell(tree, folder / "out", {.licence = "GPL-3.0"});
+  const LabelledImageSet set = ImportCornell(tree, folder / "out", {}, {.licence = "GPL-3.0"});
   ASSERT_THAT(set.items, SizeIs(1));
   EXPECT_EQ(set.items[0].object_class, "palmar_pinch");
   EXPECT_EQ(set.items[0].licence, "GPL-3.0");
@@ -101,56 +105,23 @@ TEST(ImportCornell, SplitsByRangesOfNumbers) {
     AddCornellPicture(folder / "cornell", number);
   }
   const LabelledImageSet set =
-      ImportCornell(folder / "cornell", folder / "a", {.test_share = 0.25, .split_gap = 0});
+      ImportCornell(folder / "cornell", folder / "a", {.split_gap = 0}, {.test_share = 0.25});
   EXPECT_THAT(NumbersOf(set, "train"), ElementsAre("0100", "0105", "0111", "0120", "0124", "0129"));
   EXPECT_THAT(NumbersOf(set, "test"), ElementsAre("0131"));
   // 0129 and 0124 are within ten of 0131.
   const LabelledImageSet apart =
-      ImportCornell(folder / "cornell", folder / "b", {.test_share = 0.25});
+      ImportCornell(folder / "cornell", folder / "b", {}, {.test_share = 0.25});
   EXPECT_THAT(NumbersOf(apart, "train"), ElementsAre("0100", "0105", "0111", "0120"));
   const LabelledImageSet half =
-      ImportCornell(folder / "cornell", folder / "c", {.test_share = 0.5, .split_gap = 0});
+      ImportCornell(folder / "cornell", folder / "c", {.split_gap = 0}, {.test_share = 0.5});
   EXPECT_THAT(NumbersOf(half, "test"), ElementsAre("0120", "0124", "0129", "0131"));
   const LabelledImageSet none =
-      ImportCornell(folder / "cornell", folder / "d", {.test_share = 0.0});
+      ImportCornell(folder / "cornell", folder / "d", {}, {.test_share = 0.0});
   EXPECT_THAT(NumbersOf(none, "train"), SizeIs(7));
   const LabelledImageSet single = ImportCornell(
-      folder / "cornell", folder / "e", {.instance_span = 1, .test_share = 0.15, .split_gap = 0});
+      folder / "cornell", folder / "e", {.instance_span = 1, .split_gap = 0}, {.test_share = 0.15});
   EXPECT_THAT(NumbersOf(single, "test"), ElementsAre("0131"));
   EXPECT_EQ(single.items[0].instance, "0100");
-}
-
-TEST(ImportCornell, KeepsFewPicturesEvenlySpread) {
-  const TemporaryDirectory folder;
-  for (int number = 100; number <= 900; number += 100) {
-    AddCornellPicture(folder / "cornell", "0" + std::to_string(number));
-  }
-  const auto kept = [&](int count) {
-    const fs::path out = folder / ("out" + std::to_string(count));
-    return NumbersOf(
-        ImportCornell(folder / "cornell", out, {.test_share = 0.0, .max_images = count}), "train");
-  };
-  EXPECT_THAT(kept(1), ElementsAre("0100"));
-  EXPECT_THAT(kept(3), ElementsAre("0100", "0500", "0900"));
-  EXPECT_THAT(kept(5), ElementsAre("0100", "0300", "0500", "0700", "0900"));
-  EXPECT_THAT(kept(20), SizeIs(9));
-}
-
-TEST(ImportCornell, GivesTheSameFilesForAnyNumberOfThreads) {
-  const TemporaryDirectory folder;
-  for (int number = 100; number < 130; ++number) {
-    AddCornellPicture(folder / "cornell", "0" + std::to_string(number));
-  }
-  std::vector<std::size_t> done;
-  const LabelledImageSet one = ImportCornell(folder / "cornell", folder / "one", {});
-  CornellOptions options{.num_threads = 3};
-  options.progress = [&](std::string_view, std::size_t count, std::size_t) {
-    done.push_back(count);
-  };
-  const LabelledImageSet three = ImportCornell(folder / "cornell", folder / "three", options);
-  EXPECT_EQ(Fingerprint(one), Fingerprint(three));
-  EXPECT_EQ(ReadFile(folder / "one/manifest.csv"), ReadFile(folder / "three/manifest.csv"));
-  EXPECT_EQ(done.back(), one.items.size());
 }
 
 TEST(ImportCornell, LeavesOutPicturesWithoutUsableRectangles) {
@@ -160,74 +131,44 @@ TEST(ImportCornell, LeavesOutPicturesWithoutUsableRectangles) {
   AddCornellPicture(folder / "cornell", "0300");
   WriteFileAtomically(folder / "cornell/pcd0200cpos.txt", "NaN NaN\nNaN 1\n2 3\n4 5\n");
   fs::remove(folder / "cornell/pcd0300cpos.txt");
-  EXPECT_THAT(ImportCornell(folder / "cornell", folder / "out", {}).items, SizeIs(1));
+  EXPECT_THAT(ImportCornell(folder / "cornell", folder / "out").items, SizeIs(1));
 }
 
 TEST(ImportCornell, SaysWhatWasExpectedAndFound) {
   const TemporaryDirectory folder;
   const fs::path tree = folder / "cornell";
   EXPECT_THROWS_MESSAGE(
-      ImportCornell(tree, folder / "out", {}), Error, HasSubstr("cannot read the folder"));
+      ImportCornell(tree, folder / "out"), Error, HasSubstr("cannot read the folder"));
   AddCornellPicture(tree, "0100");
   AddCornellPicture(tree, "0200");
   fs::remove(tree / "pcd0100r.png");
   fs::remove(tree / "pcd0200cpos.txt");
-  EXPECT_THROWS_MESSAGE(ImportCornell(tree, folder / "out", {}),
+  EXPECT_THROWS_MESSAGE(ImportCornell(tree, folder / "out"),
                         Error,
                         AllOf(HasSubstr("no pcdNNNNr.png with grasp rectangles"),
                               HasSubstr("found 1 pictures and 1 files of rectangles")));
   AddCornellPicture(tree / "01", "0200");
-  EXPECT_THROWS_MESSAGE(ImportCornell(tree, folder / "out", {}),
+  EXPECT_THROWS_MESSAGE(ImportCornell(tree, folder / "out"),
                         Error,
                         HasSubstr("pcd0200r.png: stands for the same picture as"));
-}
-
-TEST(ImportCornell, LeavesNothingBehindOnFailure) {
-  const TemporaryDirectory folder;
-  AddCornellPicture(folder / "cornell", "0100");
-  AddCornellPicture(folder / "cornell", "0200");
-  WriteFileAtomically(folder / "cornell/pcd0200r.png", "not a picture");
-  EXPECT_THROWS_MESSAGE(ImportCornell(folder / "cornell", folder / "out", {}),
-                        Error,
-                        HasSubstr("pcd0200r.png: not a picture"));
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
-  WriteFileAtomically(folder / "out", "a file");
-  EXPECT_THROWS_MESSAGE(
-      ImportCornell(folder / "cornell", folder / "out", {}), Error, HasSubstr("is there already"));
-}
-
-TEST(ImportCornell, LeavesNothingBehindWhenTheDiskIsFull) {
-  const TemporaryDirectory folder;
-  AddCornellPicture(folder / "cornell", "0100");
-  {
-    const testing::FullDisk full_disk;
-    EXPECT_THROWS_MESSAGE(ImportCornell(folder / "cornell", folder / "out", {}),
-                          Error,
-                          HasSubstr("pcd0100r.png: cannot write"));
-  }
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
 }
 
 TEST(ImportCornell, RefusesAWrongGraspType) {
   const TemporaryDirectory folder;
   AddCornellPicture(folder / "cornell", "0100");
   WriteFileAtomically(folder / "cornell/grasp_type.csv", "image,grasp_type\npcd0100r.png,6\n");
-  EXPECT_THROWS_MESSAGE(ImportCornell(folder / "cornell", folder / "out", {}),
+  EXPECT_THROWS_MESSAGE(ImportCornell(folder / "cornell", folder / "out"),
                         Error,
                         HasSubstr("grasp_type.csv:2: grasp type '6'"));
 }
 
 TEST(CornellOptions, NamesTheFieldAtFault) {
   const std::map<std::string, CornellOptions> cases = {
-      {"good_share is 0; it must be in (0, 1]", {.good_share = 0.0}},
-      {"dont_care_margin_px is -1", {.dont_care_margin_px = -1}},
-      {"instance_span is 0", {.instance_span = 0}},
-      {"test_share is 1; it must be in [0, 1)", {.test_share = 1.0}},
-      {"split_gap is -1", {.split_gap = -1}},
-      {"max_images is -1", {.max_images = -1}},
-      {"num_threads is 0", {.num_threads = 0}}};
+      {"GraspMaskOptions.good_share is 0", {.mask = {.good_share = 0.0}}},
+      {"CornellOptions.instance_span is 0", {.instance_span = 0}},
+      {"CornellOptions.split_gap is -1", {.split_gap = -1}}};
   for (const auto& [message, options] : cases) {
-    EXPECT_THROWS_MESSAGE((options.Validate(), 0), Error, HasSubstr("CornellOptions." + message));
+    EXPECT_THROWS_MESSAGE((options.Validate(), 0), Error, HasSubstr(message));
   }
 }
 
@@ -242,9 +183,8 @@ TEST(ImportCornell, MadeTheSampleSet) {
   const fs::path source = fs::path(HANDCRAFT_SOURCE_DIR) / "../shared/data/cornell_grasp";
   if (!fs::exists(source)) GTEST_SKIP() << "the full Cornell pictures are not at " << source;
   const TemporaryDirectory folder;
-  CornellOptions options{.max_images = 24, .num_threads = 2};
-  options.licence = "GPL-3.0";
-  const LabelledImageSet again = ImportCornell(source, folder / "out", options);
+  const LabelledImageSet again = ImportCornell(
+      source, folder / "out", {}, {.max_images = 24, .licence = "GPL-3.0", .num_threads = 2});
   EXPECT_EQ(Fingerprint(again), Fingerprint(set));
   EXPECT_EQ(ReadFile(folder / "out/manifest.csv"), ReadFile(sample / "manifest.csv"));
 }

@@ -1,21 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "datasets/importers/cornell_mask.h"
+#include "datasets/importers/grasp_mask.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
 
 #include "datasets/formats/labelled_image_set.h"
-#include "datasets/importers/cornell.h"
 #include "lib/core/check.h"
-#include "lib/core/error.h"
-#include "lib/core/file.h"
+#include "lib/core/option_rules.h"
 
 namespace handcraft::datasets {
 namespace {
@@ -101,82 +95,34 @@ std::vector<Shape> ToShapes(const std::vector<GraspRectangle>& rectangles) {
   return shapes;
 }
 
-constexpr std::string_view kBlanks = " \t\r";
-
-// Takes one number off the front of `line`.
-std::optional<double> TakeNumber(std::string_view& line) {
-  line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), value);
-  if (error != std::errc()) return std::nullopt;
-  line.remove_prefix(static_cast<std::size_t>(end - line.data()));
-  return value;
-}
-
-std::array<double, 2> ParseCorner(const std::filesystem::path& path,
-                                  std::size_t line_number,
-                                  std::string_view line) {
-  constexpr double kFarthest_px = 1e6;
-  std::string_view rest = line;
-  const std::optional<double> x = TakeNumber(rest);
-  const std::optional<double> y = TakeNumber(rest);
-  const auto is_absurd = [](double value) { return std::abs(value) > kFarthest_px; };
-  const bool ends = rest.find_first_not_of(kBlanks) == std::string_view::npos;
-  if (!x || !y || !ends || is_absurd(*x) || is_absurd(*y)) {
-    throw Error({.path = path.string(),
-                 .line = line_number,
-                 .reason = "'" + std::string(line.substr(0, 40)) +
-                           "' where a corner \"x y\" in pixels is due"});
-  }
-  return {*x, *y};
-}
-
-bool IsUsable(const GraspRectangle& corners) {
-  constexpr double kSmallest_px2 = 1.0;
-  return Shape(corners).Area_px2() >= kSmallest_px2;  // false for NaN
-}
-
 }  // namespace
 
-std::vector<GraspRectangle> ReadCornellRectangles(const std::filesystem::path& path) {
-  const std::string text = ReadTextFile(path);
-  std::vector<GraspRectangle> rectangles;
-  GraspRectangle corners{};
-  std::size_t num_corners = 0;
-  std::size_t line_number = 0;
-  for (std::size_t at = 0; at < text.size(); ++line_number) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::string_view line = std::string_view(text).substr(at, end - at);
-    at = end + 1;
-    if (line.find_first_not_of(kBlanks) == std::string_view::npos) continue;
-    corners[num_corners % 4] = ParseCorner(path, line_number + 1, line);
-    ++num_corners;
-    if (num_corners % 4 == 0 && IsUsable(corners)) rectangles.push_back(corners);
-  }
-  if (num_corners % 4 != 0) {
-    throw Error({.path = path.string(),
-                 .line = line_number,
-                 .reason = std::to_string(num_corners) +
-                           " corners; a rectangle has four, so a multiple of four is due"});
-  }
-  return rectangles;
+double RectangleArea(const GraspRectangle& rectangle) { return Shape(rectangle).Area_px2(); }
+
+void GraspMaskOptions::Validate() const {
+  RequireOption(good_share > 0.0 && good_share <= 1.0,
+                "GraspMaskOptions.good_share",
+                good_share,
+                "in (0, 1]");
+  RequireOption(dont_care_margin_px >= 0,
+                "GraspMaskOptions.dont_care_margin_px",
+                dont_care_margin_px,
+                "0 or more");
 }
 
-Image MakeCornellMask(int width,
-                      int height,
-                      const std::vector<GraspRectangle>& positive,
-                      const std::vector<GraspRectangle>& negative,
-                      const CornellOptions& options) {
+Image MakeGraspMask(int width,
+                    int height,
+                    const std::vector<GraspRectangle>& positive,
+                    const std::vector<GraspRectangle>& negative,
+                    const GraspMaskOptions& options) {
   Image mask(width, height, 1, kMaskBad);
   const std::vector<Shape> grasps = ToShapes(positive);
   const double margin = options.dont_care_margin_px;
   for (const Shape& grasp : grasps) {
     Paint(mask, grasp, margin, kMaskDontCare, [&](Vector p) { return grasp.IsNearer(p, margin); });
   }
-  if (options.use_negative_rectangles) {
-    for (const Shape& refused : ToShapes(negative)) {
-      Paint(mask, refused, 0.0, kMaskBad, [&](Vector p) { return refused.Contains(p, 1.0); });
-    }
+  for (const Shape& refused : ToShapes(negative)) {
+    Paint(mask, refused, 0.0, kMaskBad, [&](Vector p) { return refused.Contains(p, 1.0); });
   }
   for (const Shape& grasp : grasps) {
     Paint(mask, grasp, 0.0, kMaskDontCare, [&](Vector p) { return grasp.Contains(p, 1.0); });

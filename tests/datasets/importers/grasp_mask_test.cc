@@ -1,34 +1,25 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "datasets/importers/cornell_mask.h"
+#include "datasets/importers/grasp_mask.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <fstream>
+#include <cstdint>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "datasets/formats/labelled_image_set.h"
-#include "datasets/importers/cornell.h"
 #include "lib/core/error.h"
 #include "lib/core/rng.h"
 #include "tests/support/expect_throws_message.h"
-#include "tests/support/temporary_directory.h"
 
 namespace handcraft::datasets {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
-
-std::vector<GraspRectangle> ReadText(std::string_view text) {
-  const testing::TemporaryDirectory folder;
-  std::ofstream(folder / "pcd0100cpos.txt", std::ios::binary) << text;
-  return ReadCornellRectangles(folder / "pcd0100cpos.txt");
-}
 
 // One letter a pixel: G good, . bad, - don't care.
 std::vector<std::string> Letters(const Image& mask) {
@@ -43,28 +34,28 @@ std::vector<std::string> Letters(const Image& mask) {
   return rows;
 }
 
-CornellOptions NoMargin() { return {.dont_care_margin_px = 0}; }
+GraspMaskOptions NoMargin() { return {.dont_care_margin_px = 0}; }
 
 // Opens along u from 1 to 7, closes over v from 1 to 3.
 constexpr GraspRectangle kFlat = {{{1, 1}, {7, 1}, {7, 3}, {1, 3}}};
 
-TEST(MakeCornellMask, PutsTheGoodStripeAcrossTheOpening) {
+TEST(MakeGraspMask, PutsTheGoodStripeAcrossTheOpening) {
   EXPECT_EQ(
-      Letters(MakeCornellMask(9, 5, {kFlat}, {}, NoMargin())),
+      Letters(MakeGraspMask(9, 5, {kFlat}, {}, NoMargin())),
       (std::vector<std::string>{".........", ".--GGG--.", ".--GGG--.", ".--GGG--.", "........."}));
 }
 
-TEST(MakeCornellMask, TurnsTheStripeWithTheRectangle) {
+TEST(MakeGraspMask, TurnsTheStripeWithTheRectangle) {
   const GraspRectangle tall = {{{1, 1}, {1, 7}, {3, 7}, {3, 1}}};
-  EXPECT_EQ(Letters(MakeCornellMask(5, 9, {tall}, {}, NoMargin())),
+  EXPECT_EQ(Letters(MakeGraspMask(5, 9, {tall}, {}, NoMargin())),
             (std::vector<std::string>{
                 ".....", ".---.", ".---.", ".GGG.", ".GGG.", ".GGG.", ".---.", ".---.", "....."}));
 }
 
-TEST(MakeCornellMask, KeepsAMargin) {
-  CornellOptions options;
+TEST(MakeGraspMask, KeepsAMargin) {
+  GraspMaskOptions options;
   options.dont_care_margin_px = 2;
-  EXPECT_EQ(Letters(MakeCornellMask(11, 7, {{{{3, 3}, {7, 3}, {7, 4}, {3, 4}}}}, {}, options)),
+  EXPECT_EQ(Letters(MakeGraspMask(11, 7, {{{{3, 3}, {7, 3}, {7, 4}, {3, 4}}}}, {}, options)),
             (std::vector<std::string>{"...........",
                                       "...........",
                                       "..-------..",
@@ -74,29 +65,28 @@ TEST(MakeCornellMask, KeepsAMargin) {
                                       "..........."}));
 }
 
-TEST(MakeCornellMask, LetsTheLaterRuleOverrule) {
-  CornellOptions options;
+TEST(MakeGraspMask, LetsTheLaterRuleOverrule) {
+  GraspMaskOptions options;
   options.dont_care_margin_px = 20;
   const GraspRectangle left = {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}};
   const std::vector<std::string> expected = {
       "--GGG--..", "--GGG--..", "--GGG--..", "--GGG--..", "---------", "---------"};
   GraspRectangle positive = {{{0, 0}, {6, 0}, {6, 3}, {0, 3}}};
   GraspRectangle negative = {{{5, 0}, {8, 0}, {8, 3}, {5, 3}}};
-  EXPECT_EQ(Letters(MakeCornellMask(9, 6, {positive}, {negative}, options)), expected);
-  options.use_negative_rectangles = false;
-  EXPECT_EQ(Letters(MakeCornellMask(9, 6, {positive}, {negative}, options))[0], "--GGG----");
+  EXPECT_EQ(Letters(MakeGraspMask(9, 6, {positive}, {negative}, options)), expected);
+  EXPECT_EQ(Letters(MakeGraspMask(9, 6, {positive}, {}, options))[0], "--GGG----");
   // A good pixel stays good inside another rectangle's don't care.
-  EXPECT_EQ(MakeCornellMask(9, 6, {positive, left}, {}, options).At(3, 0), kMaskGood);
-  EXPECT_EQ(MakeCornellMask(9, 6, {left, positive}, {}, options).At(3, 0), kMaskGood);
+  EXPECT_EQ(MakeGraspMask(9, 6, {positive, left}, {}, options).At(3, 0), kMaskGood);
+  EXPECT_EQ(MakeGraspMask(9, 6, {left, positive}, {}, options).At(3, 0), kMaskGood);
 }
 
-TEST(MakeCornellMask, CallsEverythingBadWithoutRectangles) {
-  const Image mask = MakeCornellMask(3, 2, {}, {}, {});
+TEST(MakeGraspMask, CallsEverythingBadWithoutRectangles) {
+  const Image mask = MakeGraspMask(3, 2, {}, {}, {});
   EXPECT_EQ(mask.values(), std::vector<std::uint8_t>(6, kMaskBad));
 }
 
 // Oracle: a dense walk over the rectangle gives the distance, and its own coordinates the stripe.
-TEST(MakeCornellMask, AgreesWithADenseWalk) {
+TEST(MakeGraspMask, AgreesWithADenseWalk) {
   Rng rng(17);
   for (int round = 0; round < 5; ++round) {
     const double angle = 6.28 * rng.Uniform();
@@ -110,8 +100,8 @@ TEST(MakeCornellMask, AgreesWithADenseWalk) {
           y + s * half_opening * std::sin(angle) + t * half_closing * std::cos(angle)};
     };
     const GraspRectangle corners = {point(-1, -1), point(1, -1), point(1, 1), point(-1, 1)};
-    const CornellOptions options{.good_share = 0.5, .dont_care_margin_px = 6};
-    const Image mask = MakeCornellMask(40, 30, {corners}, {}, options);
+    const GraspMaskOptions options{.good_share = 0.5, .dont_care_margin_px = 6};
+    const Image mask = MakeGraspMask(40, 30, {corners}, {}, options);
     for (int v = 0; v < 30; ++v) {
       for (int u = 0; u < 40; ++u) {
         double nearest = 1e9;       // to the rectangle
@@ -136,40 +126,29 @@ TEST(MakeCornellMask, AgreesWithADenseWalk) {
   }
 }
 
-TEST(MakeCornellMask, TakesRectanglesOutsideThePicture) {
+TEST(MakeGraspMask, TakesRectanglesOutsideThePicture) {
   const GraspRectangle far = {{{-900, -900}, {-890, -900}, {-890, -880}, {-900, -880}}};
   const GraspRectangle wide = {{{-1e5, -1e5}, {1e5, -1e5}, {1e5, 1e5}, {-1e5, 1e5}}};
-  EXPECT_EQ(MakeCornellMask(4, 4, {far}, {}, {}).At(0, 0), kMaskBad);
-  EXPECT_EQ(MakeCornellMask(4, 4, {wide}, {}, {}).At(3, 3), kMaskGood);
-  EXPECT_EQ(MakeCornellMask(1, 1, {kFlat}, {}, {}).At(0, 0), kMaskDontCare);
-  EXPECT_THROW(static_cast<void>(MakeCornellMask(4, 4, {GraspRectangle{}}, {}, {})),
+  EXPECT_EQ(MakeGraspMask(4, 4, {far}, {}, {}).At(0, 0), kMaskBad);
+  EXPECT_EQ(MakeGraspMask(4, 4, {wide}, {}, {}).At(3, 3), kMaskGood);
+  EXPECT_EQ(MakeGraspMask(1, 1, {kFlat}, {}, {}).At(0, 0), kMaskDontCare);
+  EXPECT_THROW(static_cast<void>(MakeGraspMask(4, 4, {GraspRectangle{}}, {}, {})),
                std::logic_error);
 }
 
-TEST(ReadCornellRectangles, ReadsAFileAsItIsDistributed) {
-  const auto rectangles =
-      ReadText("253 319.7 \r\n309 324 \r\n307 350 \r\n251 346 \r\n1e1\t0\n20 0\n20 5\n10 5\n\n");
-  ASSERT_THAT(rectangles, SizeIs(2));
-  EXPECT_EQ(rectangles[0][0], (std::array{253.0, 319.7}));
-  EXPECT_EQ(rectangles[0][3], (std::array{251.0, 346.0}));
-  EXPECT_EQ(rectangles[1][2], (std::array{20.0, 5.0}));
+TEST(RectangleArea, MultipliesTheEdges) {
+  EXPECT_DOUBLE_EQ(RectangleArea(kFlat), 12.0);
+  EXPECT_DOUBLE_EQ(RectangleArea({}), 0.0);
+  EXPECT_TRUE(std::isnan(RectangleArea({{{NAN, 1}, {7, 1}, {7, 3}, {1, 3}}})));
 }
 
-TEST(ReadCornellRectangles, LeavesOutWhatHasNoPlaceOrArea) {
-  const std::string good = "0 0\n5 0\n5 5\n0 5\n";
-  EXPECT_THAT(ReadText("NaN NaN\n1 2\n3 4\nnan 5\n" + good), SizeIs(1));
-  EXPECT_THAT(ReadText("1 1\n2 2\n3 3\n4 4\n" + good), SizeIs(1));
-  EXPECT_THAT(ReadText(""), IsEmpty());
-}
-
-TEST(ReadCornellRectangles, NamesTheLine) {
-  EXPECT_THROWS_MESSAGE(
-      ReadText("0 0\n5 0\nfive 5\n0 5\n"), Error, HasSubstr("cpos.txt:3: 'five 5' where a corner"));
-  EXPECT_THROWS_MESSAGE(ReadText("0 0\n5\n"), Error, HasSubstr(":2: '5'"));
-  EXPECT_THROWS_MESSAGE(ReadText("0 0 0\n"), Error, HasSubstr(":1: '0 0 0'"));
-  EXPECT_THROWS_MESSAGE(ReadText("0 inf\n"), Error, HasSubstr(":1: '0 inf'"));
-  EXPECT_THROWS_MESSAGE(ReadText("0 1e9\n"), Error, HasSubstr(":1: '0 1e9'"));
-  EXPECT_THROWS_MESSAGE(ReadText("0 0\n5 0\n5 5\n"), Error, HasSubstr(":3: 3 corners"));
+TEST(GraspMaskOptions, NamesTheFieldAtFault) {
+  EXPECT_THROWS_MESSAGE((GraspMaskOptions{.good_share = 0.0}.Validate(), 0),
+                        Error,
+                        HasSubstr("GraspMaskOptions.good_share is 0; it must be in (0, 1]"));
+  EXPECT_THROWS_MESSAGE((GraspMaskOptions{.dont_care_margin_px = -1}.Validate(), 0),
+                        Error,
+                        HasSubstr("GraspMaskOptions.dont_care_margin_px is -1"));
 }
 
 }  // namespace

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "datasets/importers/folders.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "datasets/importers/label_picture.h"
+#include "datasets/importers/source_tree.h"
+#include "lib/core/error.h"
+#include "lib/core/option_rules.h"
+
+namespace handcraft::datasets {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kNumValues = 256;
+constexpr int kDeepest = std::numeric_limits<int>::max();
+
+using MaskValues = std::array<std::uint8_t, kNumValues>;
+
+// What each value of a foreign mask becomes.
+MaskValues MeaningOfValues(const FoldersOptions& options) {
+  MaskValues meaning{};
+  meaning.fill(options.good.empty() ? kMaskGood : kMaskBad);
+  if (options.good.empty()) meaning[0] = kMaskBad;
+  for (const int value : options.good) meaning.at(static_cast<std::size_t>(value)) = kMaskGood;
+  for (const int value : options.dont_care) {
+    meaning.at(static_cast<std::size_t>(value)) = kMaskDontCare;
+  }
+  return meaning;
+}
+
+// Path below `folder` without extension and suffix; nothing if the name does not end so.
+std::optional<std::string> KeyOf(const fs::path& file,
+                                 const fs::path& folder,
+                                 const std::string& suffix) {
+  if (!IsNamedLikeAPicture(file)) return std::nullopt;
+  const std::string key = file.lexically_relative(folder).replace_extension().string();
+  if (!key.ends_with(suffix) || key.size() == suffix.size()) return std::nullopt;
+  return key.substr(0, key.size() - suffix.size());
+}
+
+// Where the files of one kind lie and how they are named.
+struct Place {
+  fs::path folder;
+  std::string suffix;
+};
+
+bool IsBelow(const fs::path& path, const fs::path& folder) {
+  const fs::path relative = path.lexically_relative(folder);
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+// Whether a file at `place` is rather one of the other kind: in a folder of its own further down,
+// or in the same one with a longer suffix.
+bool IsOfOtherKind(const fs::path& file, const Place& place, const Place& other) {
+  if (place.folder == other.folder) {
+    return other.suffix.size() > place.suffix.size() && KeyOf(file, other.folder, other.suffix);
+  }
+  return IsBelow(other.folder, place.folder) && IsBelow(file, other.folder);
+}
+
+// Files of one kind, by key.
+std::map<std::string, fs::path> FindFiles(const Place& place, const Place& other) {
+  std::map<std::string, fs::path> files;
+  for (const fs::path& file : ListFiles(place.folder, kDeepest)) {
+    const std::optional<std::string> key = KeyOf(file, place.folder, place.suffix);
+    if (!key || IsOfOtherKind(file, place, other)) continue;
+    const auto [twin, is_new] = files.try_emplace(*key, file);
+    if (!is_new) {
+      throw Error({.path = file.string(),
+                   .reason = "stands for the same picture as " + twin->second.string(),
+                   .remedy = "keep one of them"});
+    }
+  }
+  return files;
+}
+
+[[noreturn]] void FailAlone(const fs::path& file,
+                            const std::string& kind,
+                            const fs::path& expected) {
+  throw Error({.path = file.string(),
+               .reason = "has no " + kind + ": expected " + expected.string() + ".*",
+               .remedy = "add it, or take this file away"});
+}
+
+SourcePicture Describe(const fs::path& image,
+                       const fs::path& mask,
+                       const std::string& key,
+                       const fs::path& relative,
+                       const MaskValues& meaning) {
+  return {.path = image,
+          .image = relative.generic_string(),
+          .mask = key + ".png",
+          .object_class = ClassOfPath(relative),
+          .instance = key,
+          .make_mask = [mask, meaning](int width, int height) {
+            Image values = ReadLabelValues(mask);
+            RequireSameSize(mask, "the mask", {values.width(), values.height()}, {width, height});
+            for (int v = 0; v < height; ++v) {
+              std::uint8_t* const row = values.Row(v);
+              std::transform(row, row + width, row, [&](std::uint8_t x) { return meaning[x]; });
+            }
+            return values;
+          }};
+}
+
+}  // namespace
+
+void FoldersOptions::Validate() const {
+  for (const auto& [name, values] : {std::pair("FoldersOptions.good", &good),
+                                     std::pair("FoldersOptions.dont_care", &dont_care)}) {
+    for (const int value : *values) {
+      RequireOption(value >= 0 && value < kNumValues, name, value, "from 0 to 255");
+    }
+  }
+  for (const int value : dont_care) {
+    RequireOption(std::find(good.begin(), good.end(), value) == good.end(),
+                  "FoldersOptions.dont_care",
+                  value,
+                  "none of the good values");
+  }
+}
+
+SourceSet ListFolders(const fs::path& source, const FoldersOptions& options) {
+  options.Validate();
+  const Place images{(source / options.images / "").lexically_normal(), options.image_suffix};
+  const Place masks{(source / options.masks / "").lexically_normal(), options.mask_suffix};
+  if (images.folder == masks.folder && images.suffix == masks.suffix) {
+    throw Error({.kind = Error::Kind::kUsage,
+                 .path = images.folder.string(),
+                 .reason = "pictures and masks have the same folder and the same suffix",
+                 .remedy = "give another folder or suffix for one of them"});
+  }
+  const auto image_files = FindFiles(images, masks);
+  const auto mask_files = FindFiles(masks, images);
+  SourceSet set;
+  const MaskValues meaning = MeaningOfValues(options);
+  for (const auto& [key, image] : image_files) {
+    const auto mask = mask_files.find(key);
+    if (mask == mask_files.end()) FailAlone(image, "mask", masks.folder / (key + masks.suffix));
+    set.pictures.push_back(
+        Describe(image, mask->second, key, image.lexically_relative(images.folder), meaning));
+  }
+  for (const auto& [key, mask] : mask_files) {
+    if (!image_files.contains(key)) {
+      FailAlone(mask, "picture", images.folder / (key + images.suffix));
+    }
+  }
+  if (set.pictures.empty()) {
+    throw Error({.path = images.folder.string(),
+                 .reason = "no picture *" + images.suffix +
+                           ".png, .jpg, .bmp, .ppm or .pgm; found " +
+                           std::to_string(ListFiles(images.folder, kDeepest).size()) + " files",
+                 .remedy = "name the folder and the suffix of the pictures"});
+  }
+  return set;
+}
+
+}  // namespace handcraft::datasets

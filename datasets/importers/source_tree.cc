@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "datasets/importers/source_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <system_error>
+
+#include "lib/core/error.h"
+
+namespace handcraft::datasets {
+namespace {
+
+namespace fs = std::filesystem;
+
+}  // namespace
+
+std::vector<fs::path> ListFiles(const fs::path& folder, int max_depth) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end;
+       it.increment(error)) {
+    if (it.depth() >= max_depth) it.disable_recursion_pending();
+    if (it->is_regular_file()) files.push_back(it->path());
+  }
+  if (error) {
+    throw Error({.path = folder.string(),
+                 .reason = "cannot read the folder: " + error.message(),
+                 .remedy = "check the path"});
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+bool IsNamedLikeAPicture(const fs::path& path) {
+  static constexpr std::array<std::string_view, 6> kExtensions = {
+      ".png", ".jpg", ".jpeg", ".bmp", ".ppm", ".pgm"};
+  std::string extension = path.extension().string();
+  for (char& letter : extension) {
+    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  }
+  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+}
+
+fs::path FindNamedFile(const fs::path& folder, std::string name, const fs::path& origin) {
+  const auto fail = [&](const std::string& fault, const std::string& remedy) {
+    throw Error({.path = origin.string(),
+                 .reason = "the file name '" + name + "' " + fault,
+                 .remedy = remedy});
+  };
+  std::string slashed = name;
+  std::replace(slashed.begin(), slashed.end(), '\\', '/');
+  const fs::path path(slashed);
+  const bool has_drive = slashed.size() > 1 && slashed[1] == ':';
+  const std::size_t zero = name.find('\0');
+  if (zero != std::string::npos) name.replace(zero, name.size(), "(zero byte)");
+  if (path.empty() || zero != std::string::npos) fail("is not one", "correct it");
+  if (path.is_absolute() || has_drive || std::find(path.begin(), path.end(), "..") != path.end()) {
+    fail("leads out of " + folder.string(), "keep the pictures below that folder");
+  }
+  std::error_code ignored;
+  if (!fs::is_regular_file(folder / path, ignored)) {
+    fail("is no file below " + folder.string(), "put it there, or name the folder of the pictures");
+  }
+  return path.lexically_normal();
+}
+
+std::string ClassOfPath(const fs::path& relative) {
+  return relative.has_parent_path() ? relative.begin()->string() : "object";
+}
+
+void RequireSameSize(const fs::path& path,
+                     std::string_view what,
+                     const PixelSize& size,
+                     const PixelSize& picture_size) {
+  if (size == picture_size) return;
+  const auto text = [](const PixelSize& pixels) {
+    return std::to_string(pixels[0]) + "x" + std::to_string(pixels[1]);
+  };
+  throw Error({.path = path.string(),
+               .reason = std::string(what) + " is " + text(size) + " pixels, its picture " +
+                         text(picture_size)});
+}
+
+}  // namespace handcraft::datasets

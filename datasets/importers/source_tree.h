@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Finding files in the folders of others.
+namespace handcraft::datasets {
+
+/// Files of a folder and of the folders below it, `max_depth` levels deep (0: its own alone), in
+/// the byte order of their paths. Throws Error when the folder cannot be read.
+[[nodiscard]] std::vector<std::filesystem::path> ListFiles(const std::filesystem::path& folder,
+                                                           int max_depth);
+
+/// Whether the name ends as pictures do that ReadImage may read (.png, .jpg, .jpeg, .bmp, .ppm,
+/// .pgm, in capitals too). What the file holds is not looked at.
+[[nodiscard]] bool IsNamedLikeAPicture(const std::filesystem::path& path);
+
+/// A file name that stands in the file `origin`, below `folder`, with / between folders on return.
+/// Backslashes are taken for separators, as Windows writes them. Throws Error naming `origin` when
+/// it is empty, absolute, climbs out of the folder by "..", or no such file is there.
+[[nodiscard]] std::filesystem::path FindNamedFile(const std::filesystem::path& folder,
+                                                  std::string name,
+                                                  const std::filesystem::path& origin);
+
+/// The first folder of a path, which by convention names the class; "object" if it has none.
+[[nodiscard]] std::string ClassOfPath(const std::filesystem::path& relative);
+
+/// Width and height [px]; as wide as numbers that stand in a foreign file.
+using PixelSize = std::array<std::int64_t, 2>;
+
+/// Throws Error that says "<what> is 3x2 pixels, its picture 4x2" unless the sizes agree.
+void RequireSameSize(const std::filesystem::path& path,
+                     std::string_view what,
+                     const PixelSize& size,
+                     const PixelSize& picture_size);
+
+}  // namespace handcraft::datasets

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "datasets/importers/source_tree.h"
+
+#include <map>
+#include <string>
+
+#include "lib/core/error.h"
+#include "lib/core/file.h"
+#include "tests/support/expect_throws_message.h"
+#include "tests/support/temporary_directory.h"
+
+namespace handcraft::datasets {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::TemporaryDirectory;
+
+TEST(ListFiles, GoesAsDeepAsAsked) {
+  const TemporaryDirectory folder;
+  fs::create_directories(folder / "b/c");
+  for (const char* name : {"z", "a", "b/m", "b/c/x"}) WriteFileAtomically(folder / name, "");
+  EXPECT_THAT(ListFiles(folder.path(), 0), ElementsAre(folder / "a", folder / "z"));
+  EXPECT_THAT(ListFiles(folder.path(), 1), ElementsAre(folder / "a", folder / "b/m", folder / "z"));
+  EXPECT_THAT(ListFiles(folder.path(), 2),
+              ElementsAre(folder / "a", folder / "b/c/x", folder / "b/m", folder / "z"));
+  EXPECT_THROWS_MESSAGE(ListFiles(folder / "no", 0), Error, HasSubstr("cannot read the folder"));
+  EXPECT_THROWS_MESSAGE(ListFiles(folder / "a", 0), Error, HasSubstr("cannot read the folder"));
+}
+
+TEST(IsNamedLikeAPicture, LooksAtTheExtension) {
+  for (const char* name : {"a.png", "a.b.JPG", "x/y.jpeg", "a.BMP", "a.ppm", "a.pgm"}) {
+    EXPECT_TRUE(IsNamedLikeAPicture(name)) << name;
+  }
+  for (const char* name : {"a", "png", ".png", "a.png.txt", "a.tiff", "a.png/b", ""}) {
+    EXPECT_FALSE(IsNamedLikeAPicture(name)) << name;
+  }
+}
+
+TEST(FindNamedFile, FindsWhatLiesBelow) {
+  const TemporaryDirectory folder;
+  fs::create_directory(folder / "b");
+  WriteFileAtomically(folder / "b/ü ,\".png", "");
+  const fs::path expected = "b/ü ,\".png";
+  EXPECT_EQ(FindNamedFile(folder.path(), "b/ü ,\".png", "x.json"), expected);
+  EXPECT_EQ(FindNamedFile(folder.path(), ".\\b\\ü ,\".png", "x.json"), expected);
+}
+
+TEST(FindNamedFile, RefusesWhatDoesNot) {
+  const TemporaryDirectory folder;
+  fs::create_directory(folder / "below");
+  WriteFileAtomically(folder / "a.png", "");
+  const std::map<std::string, std::string> cases = {
+      {"", "x.json: the file name '' is not one"},
+      {std::string("a.png\0.png", 10), "'a.png(zero byte)' is not one"},
+      {"/etc/hostname", "'/etc/hostname' leads out of"},
+      {"../a.png", "leads out of"},
+      {"b/../../a.png", "leads out of"},
+      {"..\\a.png", "leads out of"},
+      {"C:\\a.png", "leads out of"},
+      {"a.png", "'a.png' is no file below"},
+      {".", "is no file below"}};
+  for (const auto& [name, message] : cases) {
+    EXPECT_THROWS_MESSAGE(
+        FindNamedFile(folder / "below", name, "x.json"), Error, HasSubstr(message));
+  }
+}
+
+TEST(ClassOfPath, IsTheFirstFolder) {
+  EXPECT_EQ(ClassOfPath("mug/red/a.png"), "mug");
+  EXPECT_EQ(ClassOfPath("a.png"), "object");
+}
+
+TEST(RequireSameSize, SaysBothSizes) {
+  RequireSameSize("a.png", "the mask", {3, 2}, {3, 2});
+  EXPECT_THROWS_MESSAGE((RequireSameSize("a.png", "the mask", {3, 2}, {2, 3}), 0),
+                        Error,
+                        HasSubstr("a.png: the mask is 3x2 pixels, its picture 2x3"));
+}
+
+}  // namespace
+}  // namespace handcraft::datasets

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "tools/import_formats.h"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "datasets/importers/cornell.h"
+#include "datasets/importers/folders.h"
+#include "tools/number_option.h"
+
+namespace handcraft::tools {
+namespace {
+
+// An option that may be given more than once, with one value each time.
+template <class T>
+CLI::Option* AddRepeated(CLI::App& command,
+                         const std::string& name,
+                         std::vector<T>& values,
+                         const std::string& description) {
+  return command.add_option(name, values, description + "; may be given again")
+      ->allow_extra_args(false);
+}
+
+void AddGraspMaskOptions(CLI::App& command, datasets::GraspMaskOptions& mask) {
+  AddNumber(command,
+            "--good-share",
+            mask,
+            &datasets::GraspMaskOptions::good_share,
+            "Central share of a rectangle's opening that is good, the rest is don't care");
+  AddNumber(command,
+            "--dont-care-margin",
+            mask,
+            &datasets::GraspMaskOptions::dont_care_margin_px,
+            "Nothing nearer than this to a rectangle is called bad [px]");
+}
+
+SourceLister AddCornellOptions(CLI::App& command) {
+  auto options = std::make_shared<datasets::CornellOptions>();
+  AddGraspMaskOptions(command, options->mask);
+  command.add_flag_callback(
+      "--no-negative-rectangles",
+      [options] { options->use_negative_rectangles = false; },
+      "Do not call the inside of negative rectangles (cneg) bad");
+  AddNumber(command,
+            "--instance-span",
+            *options,
+            &datasets::CornellOptions::instance_span,
+            "Numbers that make one instance: neighbours show the same object");
+  AddNumber(command,
+            "--split-gap",
+            *options,
+            &datasets::CornellOptions::split_gap,
+            "Training pictures this close in number to the test ones are left out");
+  return [options](const std::filesystem::path& source) {
+    return datasets::ListCornell(source, *options);
+  };
+}
+
+void AddMaskValue(CLI::App& command,
+                  const std::string& name,
+                  std::vector<int>& values,
+                  const std::string& description) {
+  AddRepeated(command, name, values, description)
+      ->transform(IntegerWithin(0, 255))
+      ->type_name("INT");
+}
+
+SourceLister AddFoldersOptions(CLI::App& command) {
+  auto options = std::make_shared<datasets::FoldersOptions>();
+  const auto add_text = [&command](const char* name, std::string& text, const char* description) {
+    command.add_option(name, text, description)->capture_default_str();
+  };
+  add_text("--images", options->images, "Folder of the pictures, below SRC");
+  add_text("--masks", options->masks, "Folder of the masks, below SRC");
+  add_text("--image-suffix", options->image_suffix, "What ends a picture's name: _rgb");
+  add_text("--mask-suffix", options->mask_suffix, "What ends a mask's name: _label");
+  AddMaskValue(command,
+               "--good",
+               options->good,
+               "Value of a mask that means good; without it all but 0 and don't care");
+  AddMaskValue(command, "--dont-care", options->dont_care, "Value of a mask that means don't care");
+  return [options](const std::filesystem::path& source) {
+    return datasets::ListFolders(source, *options);
+  };
+}
+
+constexpr auto kFormats = std::to_array<ImportFormat>(
+    {{"folders",
+      "Folders of pictures and of masks with the same names",
+      "Folder that holds the two folders",
+      "folders datasets/samples/cornell_mini --image-suffix r --good 255 --dont-care 128 --out "
+      "out/folders",
+      AddFoldersOptions},
+     {"cornell",
+      "Cornell grasping data set: photographs and grasp rectangles into label masks",
+      "Folder with pcdNNNNr.png beside pcdNNNNcpos.txt, in one folder or in 01, 02, …",
+      "cornell tests/data/cornell --out out/cornell",
+      AddCornellOptions}});
+
+}  // namespace
+
+std::span<const ImportFormat> ImportFormats() { return kFormats; }
+
+}  // namespace handcraft::tools

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <span>
+
+#include <CLI/App.hpp>
+
+#include "datasets/importers/image_set_import.h"
+
+namespace handcraft::tools {
+
+/// Lists what a source holds, with the options as they were given.
+using SourceLister = std::function<datasets::SourceSet(const std::filesystem::path& source)>;
+
+/// A format that `handcraft data import` reads: the options of its own; all others it shares.
+struct ImportFormat {
+  const char* name;         ///< of the subcommand
+  const char* description;  ///< in the list of formats
+  const char* source;       ///< what SRC is
+  const char* example;      ///< what follows `handcraft data import` in its --help
+  SourceLister (*add_options)(CLI::App& command);
+};
+
+/// All of them, in the order of --help.
+[[nodiscard]] std::span<const ImportFormat> ImportFormats();
+
+}  // namespace handcraft::tools
