@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "datasets/importers/coco.h"
 #include "datasets/importers/cornell.h"
 #include "datasets/importers/folders.h"
+#include "datasets/importers/labelme.h"
 #include "tools/number_option.h"
 
 namespace handcraft::tools {
@@ -60,6 +62,34 @@ SourceLister AddCornellOptions(CLI::App& command) {
   };
 }
 
+void AddLabelRoles(CLI::App& command, datasets::LabelRoles& roles) {
+  const auto add = [&command](
+                       const char* name, std::vector<std::string>& labels, const char* what) {
+    AddRepeated(command, name, labels, what)->type_name("LABEL");
+  };
+  add("--good", roles.good, "Label that means good; without it 'good'");
+  add("--bad", roles.bad, "Label that means bad, even on something good");
+  add("--dont-care", roles.dont_care, "Label that means don't care");
+}
+
+SourceLister AddLabelmeOptions(CLI::App& command) {
+  auto roles = std::make_shared<datasets::LabelRoles>();
+  AddLabelRoles(command, *roles);
+  return [roles](const std::filesystem::path& source) {
+    return datasets::ListLabelme(source, *roles);
+  };
+}
+
+SourceLister AddCocoOptions(CLI::App& command) {
+  auto options = std::make_shared<datasets::CocoOptions>();
+  command.add_option("--images", options->images, "Folder of the pictures; without it that of SRC")
+      ->type_name("DIR");
+  AddLabelRoles(command, options->roles);
+  return [options](const std::filesystem::path& source) {
+    return datasets::ListCoco(source, *options);
+  };
+}
+
 void AddMaskValue(CLI::App& command,
                   const std::string& name,
                   std::vector<int>& values,
@@ -95,6 +125,16 @@ constexpr auto kFormats = std::to_array<ImportFormat>(
       "folders datasets/samples/cornell_mini --image-suffix r --good 255 --dont-care 128 --out "
       "out/folders",
       AddFoldersOptions},
+     {"labelme",
+      "LabelMe files: polygons, rectangles and circles with labels",
+      "Folder with NAME.json, the pictures embedded or beside them",
+      "labelme tests/data/labelme --dont-care table --out out/labelme",
+      AddLabelmeOptions},
+     {"coco",
+      "COCO object segmentations: polygons and runs",
+      "The JSON file",
+      "coco tests/data/coco/instances.json --images tests/data/cornell --out out/coco",
+      AddCocoOptions},
      {"cornell",
       "Cornell grasping data set: photographs and grasp rectangles into label masks",
       "Folder with pcdNNNNr.png beside pcdNNNNcpos.txt, in one folder or in 01, 02, …",

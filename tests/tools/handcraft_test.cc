@@ -32,6 +32,8 @@ const std::vector<std::string>& AllCommands() {
   static const std::vector<std::string> commands = {"data info",
                                                     "data check",
                                                     "data import folders",
+                                                    "data import labelme",
+                                                    "data import coco",
                                                     "data import cornell",
                                                     "train grasp-points",
                                                     "train logistic",

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "datasets/importers/labelled_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "datasets/formats/labelled_image_set.h"
+#include "lib/core/check.h"
+
+namespace handcraft::datasets {
+namespace {
+
+// Gives `value` to the pixels of row v whose middle lies in [begin, end).
+void FillSpan(Image& mask, int v, double begin, double end, std::uint8_t value) {
+  const auto first_at_or_after = [&](double x) {
+    return static_cast<int>(std::ceil(std::clamp(x - 0.5, 0.0, static_cast<double>(mask.width()))));
+  };
+  const int u_begin = first_at_or_after(begin);
+  const int u_end = first_at_or_after(end);
+  if (u_begin < u_end) std::fill(mask.Row(v) + u_begin, mask.Row(v) + u_end, value);
+}
+
+// Rows whose middle lies in [top, bottom].
+std::array<int, 2> RowsWithin(const Image& mask, double top, double bottom) {
+  const double last = mask.height() - 1.0;
+  return {static_cast<int>(std::ceil(std::clamp(top - 0.5, 0.0, last + 1.0))),
+          static_cast<int>(std::floor(std::clamp(bottom - 0.5, -1.0, last)))};
+}
+
+// Where the outline crosses the height y, in order.
+std::vector<double> Crossings(const Polygon& polygon, double y) {
+  std::vector<double> crossings;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const auto& [x0, y0] = polygon[i];
+    const auto& [x1, y1] = polygon[(i + 1) % polygon.size()];
+    if ((y0 <= y) != (y1 <= y)) crossings.push_back(x0 + (y - y0) / (y1 - y0) * (x1 - x0));
+  }
+  std::sort(crossings.begin(), crossings.end());
+  return crossings;
+}
+
+void Fill(Image& mask, const Polygon& polygon, std::uint8_t value) {
+  if (polygon.empty()) return;
+  const auto [lowest, highest] = std::minmax_element(
+      polygon.begin(), polygon.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });
+  const auto [first, last] = RowsWithin(mask, (*lowest)[1], (*highest)[1]);
+  for (int v = first; v <= last; ++v) {
+    const std::vector<double> crossings = Crossings(polygon, v + 0.5);
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+      FillSpan(mask, v, crossings[i], crossings[i + 1], value);
+    }
+  }
+}
+
+void Fill(Image& mask, const Circle& circle, std::uint8_t value) {
+  const auto [x, y] = circle.centre;
+  const auto [first, last] = RowsWithin(mask, y - circle.radius, y + circle.radius);
+  for (int v = first; v <= last; ++v) {
+    const double dy = v + 0.5 - y;
+    const double half = std::sqrt(std::max(circle.radius * circle.radius - dy * dy, 0.0));
+    FillSpan(mask, v, x - half, x + half, value);
+  }
+}
+
+void Fill(Image& mask, const PixelRuns& runs, std::uint8_t value) {
+  const auto num_pixels =
+      static_cast<std::uint64_t>(mask.width()) * static_cast<std::uint64_t>(mask.height());
+  const std::uint64_t sum = std::accumulate(runs.begin(), runs.end(), std::uint64_t{0});
+  HC_CHECK(sum == num_pixels, sum, num_pixels);
+  const auto height = static_cast<std::uint64_t>(mask.height());
+  std::uint64_t at = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const std::uint64_t end = at + runs[i];
+    if (i % 2 == 0) at = end;
+    for (; at < end; ++at) {
+      mask.At(static_cast<int>(at / height), static_cast<int>(at % height)) = value;
+    }
+  }
+}
+
+}  // namespace
+
+Image DrawLabelledShapes(int width, int height, const std::vector<LabelledShape>& shapes) {
+  Image mask(width, height, 1, kMaskBad);
+  for (const std::uint8_t value : {kMaskGood, kMaskBad, kMaskDontCare}) {
+    for (const LabelledShape& shape : shapes) {
+      if (shape.value != value) continue;
+      std::visit([&](const auto& geometry) { Fill(mask, geometry, value); }, shape.geometry);
+    }
+  }
+  return mask;
+}
+
+}  // namespace handcraft::datasets

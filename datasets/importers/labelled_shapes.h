@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+#include "lib/core/image.h"
+
+/// Shapes of annotation tools. Their coordinates [px] begin at the corner of the picture, so that
+/// the middle of the pixel (u, v) is at (u + ½, v + ½); a pixel counts by its middle.
+namespace handcraft::datasets {
+
+/// Coordinates farther out than this [px] belong to no picture; with them sums could overflow.
+inline constexpr double kFarthest_px = 1e6;
+
+/// Three corners or more; what the outline goes round an odd number of times is inside.
+using Polygon = std::vector<std::array<double, 2>>;
+
+struct Circle {
+  std::array<double, 2> centre{};
+  double radius = 0.0;
+};
+
+/// Pixels column after column, each from the top: as many outside as the first number says, then
+/// inside, outside, and so on. The numbers add up to all pixels of the picture.
+using PixelRuns = std::vector<std::uint32_t>;
+
+struct LabelledShape {
+  std::variant<Polygon, Circle, PixelRuns> geometry;
+  std::uint8_t value = 0;  ///< of the mask
+};
+
+/// The mask of one picture: bad everywhere, then the good shapes, then the bad ones, then what is
+/// don't care, each overruling those before it, whatever their order in the list. Throws
+/// std::logic_error when runs do not add up to the pixels.
+[[nodiscard]] Image DrawLabelledShapes(int width,
+                                       int height,
+                                       const std::vector<LabelledShape>& shapes);
+
+}  // namespace handcraft::datasets
