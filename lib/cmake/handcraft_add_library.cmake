@@ -21,7 +21,8 @@ set(HANDCRAFT_THIRD_PARTY_runtime "")
 set(HANDCRAFT_THIRD_PARTY_perception opencv_core opencv_imgproc opencv_imgcodecs)
 set(HANDCRAFT_THIRD_PARTY_model_io nlohmann_json::nlohmann_json)
 set(HANDCRAFT_THIRD_PARTY_datasets
-    fmt::fmt nlohmann_json::nlohmann_json opencv_core opencv_imgproc opencv_imgcodecs)
+    Eigen3::Eigen embree fmt::fmt nlohmann_json::nlohmann_json opencv_core opencv_imgproc
+    opencv_imgcodecs)
 set(HANDCRAFT_THIRD_PARTY_trainer Eigen3::Eigen fmt::fmt BLAS::BLAS LAPACK::LAPACK)
 set(HANDCRAFT_THIRD_PARTY_experiments
     fmt::fmt nlohmann_json::nlohmann_json opencv_core opencv_imgproc opencv_imgcodecs BLAS::BLAS
