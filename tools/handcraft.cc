@@ -37,10 +37,11 @@ void AddCommands(CLI::App& app, const Console& console) {
   app.set_version_flag("--version", std::string("handcraft ") + hc_version());
   app.formatter(std::make_shared<HelpFormatter>());
   app.footer("Run 'handcraft COMMAND --help' for the options of a command and an example.");
-  CLI::App& data = AddGroup(app, "data", "Import, describe and check data sets");
+  CLI::App& data = AddGroup(app, "data", "Import, make, describe and check data sets");
   AddDataInfo(data, console);
   AddDataCheck(data, console);
   AddDataImport(data, console);
+  AddDataSynth(data, console);
   CLI::App& train = AddGroup(app, "train", "Fit a model and write it to a file");
   AddTrainGraspPoints(train, console);
   AddTrainLogistic(train, console);

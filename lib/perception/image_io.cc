@@ -53,6 +53,20 @@ Image ToImage(const cv::Mat& pixels) {
   return image;
 }
 
+template <class T>
+void EncodePng(const std::filesystem::path& path, const BasicImage<T>& image, int type) {
+  SilenceOpenCv();
+  // OpenCV takes no pointer to const, but only reads.
+  const cv::Mat pixels(image.height(), image.width(), type, const_cast<T*>(image.Row(0)));
+  std::vector<std::uint8_t> bytes;
+  try {
+    cv::imencode(".png", pixels, bytes, {cv::IMWRITE_PNG_COMPRESSION, 6});
+  } catch (const cv::Exception& exception) {
+    throw Error({.path = path.string(), .reason = "cannot be encoded: " + exception.err});
+  }
+  WriteFileAtomically(path, bytes);
+}
+
 }  // namespace
 
 Image ReadImage(const std::filesystem::path& path, Channels channels) {
@@ -71,19 +85,12 @@ void WritePng(const std::filesystem::path& path, const Image& image) {
            image.width(),
            image.height(),
            image.channels());
-  SilenceOpenCv();
-  // OpenCV takes no pointer to const, but only reads.
-  const cv::Mat pixels(image.height(),
-                       image.width(),
-                       CV_MAKETYPE(CV_8U, image.channels()),
-                       const_cast<std::uint8_t*>(image.Row(0)));
-  std::vector<std::uint8_t> bytes;
-  try {
-    cv::imencode(".png", pixels, bytes, {cv::IMWRITE_PNG_COMPRESSION, 6});
-  } catch (const cv::Exception& exception) {
-    throw Error({.path = path.string(), .reason = "cannot be encoded: " + exception.err});
-  }
-  WriteFileAtomically(path, bytes);
+  EncodePng(path, image, CV_MAKETYPE(CV_8U, image.channels()));
+}
+
+void WritePng16(const std::filesystem::path& path, const BasicImage<std::uint16_t>& image) {
+  HC_CHECK(!image.empty() && image.channels() == 1, image.width(), image.channels());
+  EncodePng(path, image, CV_16U);
 }
 
 features::RawImage RawView(const Image& image) {

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 
 #include "lib/core/image.h"
@@ -24,6 +25,10 @@ enum class Channels {
 /// Writes a PNG (1 or 3 channels), replacing the file atomically. Throws Error. Same picture, same
 /// bytes.
 void WritePng(const std::filesystem::path& path, const Image& image);
+
+/// Writes a gray PNG of 16 bits, as depths are kept, replacing the file atomically. Throws Error.
+/// Same values, same bytes.
+void WritePng16(const std::filesystem::path& path, const BasicImage<std::uint16_t>& image);
 
 /// The picture as the feature code takes it; the image must outlive the view.
 [[nodiscard]] features::RawImage RawView(const Image& image);

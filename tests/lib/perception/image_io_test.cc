@@ -151,6 +151,21 @@ TEST(WritePng, RefusesWhatIsNoPicture) {
   EXPECT_THROWS_MESSAGE(WritePng("no/x.png", Image(1, 1)), Error, HasSubstr("no/x.png"));
 }
 
+TEST(WritePng16, KeepsAllBits) {
+  const testing::TemporaryDirectory folder;
+  BasicImage<std::uint16_t> depth(3, 2);
+  depth.At(1, 0) = 65535;
+  depth.At(2, 1) = 258;
+  WritePng16(folder / "depth.png", depth);
+  const cv::Mat read = cv::imread((folder / "depth.png").string(), cv::IMREAD_UNCHANGED);
+  ASSERT_EQ(read.type(), CV_16U);
+  for (int v = 0; v < 2; ++v) {
+    for (int u = 0; u < 3; ++u) EXPECT_EQ(read.at<std::uint16_t>(v, u), depth.At(u, v));
+  }
+  EXPECT_THROWS_MESSAGE(ReadImage(folder / "depth.png"), Error, HasSubstr("16 bits"));
+  EXPECT_THROW(WritePng16("x.png", BasicImage<std::uint16_t>(2, 2, 3)), std::logic_error);
+}
+
 TEST(RawView, SeesTheSamePixels) {
   const Image gray = RandomImage(5, 4, 1, 1);
   EXPECT_EQ(RawView(gray).format, features::PixelFormat::kGray8);

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "datasets/formats/labelled_image_set.h"
+#include "datasets/synthetic/object_classes.h"
+#include "lib/core/progress.h"
+
+namespace handcraft::synthetic {
+
+enum class SetSize {
+  kSmall,  ///< 24 pictures a class
+  kFull,   ///< as many as the dissertation has: 13247 of the trained family, 180 of the novel one
+};
+
+/// What is made. Every picture depends on seed, class and its number within the class alone, so a
+/// larger set begins with the smaller one.
+struct GraspPointSetOptions {
+  Family family = Family::kTrained;
+  SetSize size = SetSize::kSmall;
+  int num_images = 0;        ///< spread evenly over the classes instead; 0: as `size` says
+  bool with_right = false;   ///< also the picture of a second camera, to the right of the first
+  float baseline_m = 0.12F;  ///< between the two cameras
+  std::uint64_t seed = 1;
+  int num_threads = 1;  ///< changes no byte
+  Progress progress = {};
+
+  /// Throws Error(kUsage) naming field, value and rule.
+  void Validate() const;
+};
+
+/// Makes a labelled image set (docs/synthetic_data.md): images/, masks/, object_masks/, depth/ and
+/// scenes/, dataset.toml first and manifest.csv last, so that a folder without a manifest is one
+/// that is not finished. Called again after it was stopped, it keeps the pictures that are whole
+/// and makes the others; the bytes are those of a run that was not stopped. Throws Error when `out`
+/// holds anything else or a set made with other options, and when it cannot write.
+datasets::LabelledImageSet MakeGraspPointSet(const std::filesystem::path& out,
+                                             const GraspPointSetOptions& options);
+
+}  // namespace handcraft::synthetic

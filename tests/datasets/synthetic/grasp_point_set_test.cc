@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "datasets/synthetic/grasp_point_set.h"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "lib/core/error.h"
+#include "lib/core/file.h"
+#include "tests/support/expect_throws_message.h"
+#include "tests/support/temporary_directory.h"
+
+namespace handcraft::synthetic {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::TemporaryDirectory;
+
+// Every file below the folder, by its path.
+std::map<std::string, std::vector<std::uint8_t>> ReadTree(const fs::path& root) {
+  std::map<std::string, std::vector<std::uint8_t>> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
+    if (entry.is_regular_file()) {
+      files[entry.path().lexically_relative(root).generic_string()] = ReadFile(entry.path());
+    }
+  }
+  return files;
+}
+
+TEST(MakeGraspPointSet, MakesASoundSet) {
+  const TemporaryDirectory folder;
+  const datasets::LabelledImageSet made =
+      MakeGraspPointSet(folder / "set", {.num_images = 3, .num_threads = 2});
+  const datasets::LabelledImageSet set = datasets::ReadLabelledImageSet(folder / "set");
+  ASSERT_EQ(set.items.size(), 3U);
+  EXPECT_THAT(datasets::FindFaults(set), IsEmpty());
+  EXPECT_EQ(datasets::Fingerprint(set), datasets::Fingerprint(made));
+  std::set<std::string> classes;
+  for (const datasets::LabelledImage& item : set.items) classes.insert(item.object_class);
+  EXPECT_EQ(classes.size(), 3U);
+}
+
+TEST(MakeGraspPointSet, LabelsOnlyTheObjectsAndKnowsTheirDepth) {
+  const TemporaryDirectory folder;
+  const datasets::LabelledImageSet set = MakeGraspPointSet(folder / "set", {.num_images = 1});
+  const cv::Mat depth =
+      cv::imread((folder / "set/depth/cereal_bowl_0000_0.png").string(), cv::IMREAD_UNCHANGED);
+  const cv::Mat object = cv::imread((folder / "set/object_masks/cereal_bowl_0000_0.png").string(),
+                                    cv::IMREAD_UNCHANGED);
+  ASSERT_EQ(depth.type(), CV_16U);
+  ASSERT_EQ(object.type(), CV_8U);
+  const Image mask = datasets::ReadMask(set, 0);
+  int num_good = 0;
+  for (int v = 0; v < 480; ++v) {
+    for (int u = 0; u < 640; ++u) {
+      if (mask.At(u, v) != datasets::kMaskGood) continue;
+      ++num_good;
+      EXPECT_EQ(object.at<std::uint8_t>(v, u), 255);
+      EXPECT_GT(depth.at<std::uint16_t>(v, u), 200) << "millimetres";
+      EXPECT_LT(depth.at<std::uint16_t>(v, u), 1500);
+    }
+  }
+  EXPECT_GT(num_good, 300);
+}
+
+TEST(MakeGraspPointSet, GivesTheSameBytesForAnyNumberOfThreads) {
+  const TemporaryDirectory folder;
+  MakeGraspPointSet(folder / "one", {.num_images = 2, .with_right = true, .num_threads = 1});
+  MakeGraspPointSet(folder / "two", {.num_images = 2, .with_right = true, .num_threads = 2});
+  EXPECT_TRUE(ReadTree(folder / "one") == ReadTree(folder / "two"));
+}
+
+TEST(MakeGraspPointSet, GoesOnWhereItWasStopped) {
+  const TemporaryDirectory folder;
+  MakeGraspPointSet(folder / "whole", {.num_images = 2});
+  const auto whole = ReadTree(folder / "whole");
+  // As a kill leaves it: no manifest, one picture of two without its last files, one half-written.
+  fs::copy(folder / "whole", folder / "stopped", fs::copy_options::recursive);
+  fs::remove(folder / "stopped/manifest.csv");
+  fs::remove(folder / "stopped/scenes/eraser_0000_0.toml");
+  fs::remove(folder / "stopped/depth/eraser_0000_0.png");
+  WriteFileAtomically(folder / "stopped/depth/eraser_0000_0.png.aB3xYz", "half");
+  const auto kept = fs::last_write_time(folder / "stopped/images/cereal_bowl_0000_0.png");
+  MakeGraspPointSet(folder / "stopped", {.num_images = 2});
+  EXPECT_TRUE(ReadTree(folder / "stopped") == whole);
+  EXPECT_EQ(fs::last_write_time(folder / "stopped/images/cereal_bowl_0000_0.png"), kept);
+}
+
+TEST(MakeGraspPointSet, RefusesToGoOnWithOtherOptions) {
+  const TemporaryDirectory folder;
+  MakeGraspPointSet(folder / "set", {.num_images = 1});
+  EXPECT_THROWS_MESSAGE(MakeGraspPointSet(folder / "set", {.num_images = 1, .seed = 2}),
+                        Error,
+                        HasSubstr("dataset.toml: tells of a set made with other options"));
+  WriteFileAtomically(folder / "file", "");
+  EXPECT_THROWS_MESSAGE(
+      MakeGraspPointSet(folder / "file", {.num_images = 1}), Error, HasSubstr("is not a folder"));
+  EXPECT_THROWS_MESSAGE(MakeGraspPointSet(folder / "no/set", {.num_images = 1}),
+                        Error,
+                        HasSubstr("cannot make the folder: No such file"));
+}
+
+TEST(GraspPointSetOptions, RefusesWhatCannotBe) {
+  EXPECT_THROWS_MESSAGE(GraspPointSetOptions{.num_images = -1}.Validate(),
+                        Error,
+                        HasSubstr("GraspPointSetOptions.num_images is -1"));
+  EXPECT_THROWS_MESSAGE(GraspPointSetOptions{.baseline_m = 0.0F}.Validate(),
+                        Error,
+                        HasSubstr("GraspPointSetOptions.baseline_m is 0"));
+  EXPECT_THROWS_MESSAGE(GraspPointSetOptions{.num_threads = 0}.Validate(),
+                        Error,
+                        HasSubstr("GraspPointSetOptions.num_threads is 0"));
+}
+
+}  // namespace
+}  // namespace handcraft::synthetic
