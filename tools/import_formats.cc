@@ -10,7 +10,9 @@
 
 #include "datasets/importers/coco.h"
 #include "datasets/importers/cornell.h"
+#include "datasets/importers/cvat.h"
 #include "datasets/importers/folders.h"
+#include "datasets/importers/jacquard.h"
 #include "datasets/importers/labelme.h"
 #include "tools/number_option.h"
 
@@ -90,6 +92,25 @@ SourceLister AddCocoOptions(CLI::App& command) {
   };
 }
 
+SourceLister AddCvatOptions(CLI::App& command) {
+  auto options = std::make_shared<datasets::CvatOptions>();
+  command
+      .add_option("--images", options->images, "Folder of the pictures; without it SRC/JPEGImages")
+      ->type_name("DIR");
+  AddLabelRoles(command, options->roles);
+  return [options](const std::filesystem::path& source) {
+    return datasets::ListCvat(source, *options);
+  };
+}
+
+SourceLister AddJacquardOptions(CLI::App& command) {
+  auto options = std::make_shared<datasets::GraspMaskOptions>();
+  AddGraspMaskOptions(command, *options);
+  return [options](const std::filesystem::path& source) {
+    return datasets::ListJacquard(source, *options);
+  };
+}
+
 void AddMaskValue(CLI::App& command,
                   const std::string& name,
                   std::vector<int>& values,
@@ -135,6 +156,16 @@ constexpr auto kFormats = std::to_array<ImportFormat>(
       "The JSON file",
       "coco tests/data/coco/instances.json --images tests/data/cornell --out out/coco",
       AddCocoOptions},
+     {"cvat",
+      "CVAT's export \"Segmentation mask 1.1\"",
+      "The unpacked folder, with labelmap.txt, ImageSets and SegmentationClass",
+      "cvat tests/data/cvat --images tests/data/cornell --good handle --out out/cvat",
+      AddCvatOptions},
+     {"jacquard",
+      "Jacquard data set: rendered objects and simulated grasps",
+      "Folder with N_OBJECT_RGB.png beside N_OBJECT_grasps.txt, at any depth",
+      "jacquard tests/data/jacquard --out out/jacquard",
+      AddJacquardOptions},
      {"cornell",
       "Cornell grasping data set: photographs and grasp rectangles into label masks",
       "Folder with pcdNNNNr.png beside pcdNNNNcpos.txt, in one folder or in 01, 02, …",

@@ -34,6 +34,8 @@ const std::vector<std::string>& AllCommands() {
                                                     "data import folders",
                                                     "data import labelme",
                                                     "data import coco",
+                                                    "data import cvat",
+                                                    "data import jacquard",
                                                     "data import cornell",
                                                     "train grasp-points",
                                                     "train logistic",

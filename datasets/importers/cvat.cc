@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "datasets/importers/cvat.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "datasets/formats/labelled_image_set.h"
+#include "datasets/importers/label_picture.h"
+#include "datasets/importers/source_tree.h"
+#include "lib/core/error.h"
+#include "lib/core/file.h"
+
+namespace handcraft::datasets {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Red, green, blue.
+using Colour = std::array<std::uint8_t, 3>;
+constexpr Colour kBlack = {};
+
+// The lines that say something, with their numbers.
+std::vector<std::pair<std::size_t, std::string>> ReadLines(const fs::path& path) {
+  const std::string text = ReadTextFile(path);
+  std::vector<std::pair<std::size_t, std::string>> lines;
+  std::size_t number = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    std::string line = text.substr(at, end - at);
+    at = end + 1;
+    ++number;
+    line.resize(line.find_last_not_of(" \t\r") + 1);
+    if (!line.empty()) lines.emplace_back(number, std::move(line));
+  }
+  return lines;
+}
+
+// "10,128,0".
+std::optional<Colour> ParseColour(std::string_view text) {
+  Colour colour{};
+  const char* at = text.data();
+  const char* const end = text.data() + text.size();
+  for (std::size_t i = 0; i < colour.size(); ++i) {
+    if (i > 0 && (at == end || *at++ != ',')) return std::nullopt;
+    const auto [stop, error] = std::from_chars(at, end, colour[i]);
+    if (error != std::errc()) return std::nullopt;
+    at = stop;
+  }
+  return at == end ? std::optional(colour) : std::nullopt;
+}
+
+std::map<Colour, std::string> ReadLabelMap(const fs::path& path) {
+  std::map<Colour, std::string> labels;
+  for (const auto& [number, line] : ReadLines(path)) {
+    if (line.starts_with('#')) continue;
+    const auto fail = [&, number = number](const std::string& reason) {
+      throw Error({.path = path.string(), .line = number, .reason = reason});
+    };
+    const std::size_t begin = std::min(line.find(':'), line.size());
+    const std::size_t end = std::min(line.find(':', begin + 1), line.size());
+    const std::optional<Colour> colour =
+        begin < line.size() ? ParseColour(std::string_view(line).substr(begin + 1, end - begin - 1))
+                            : std::nullopt;
+    if (!colour || begin == 0) fail("'" + line + "' where label:red,green,blue:: is due");
+    const auto [twin, is_new] = labels.try_emplace(*colour, line.substr(0, begin));
+    if (!is_new) fail("'" + line + "' has the colour of '" + twin->second + "'");
+  }
+  return labels;
+}
+
+std::map<Colour, std::uint8_t> MeaningOfColours(const std::map<Colour, std::string>& labels,
+                                                const LabelRoles& roles) {
+  std::map<Colour, std::uint8_t> meaning = {{kBlack, kMaskBad}};
+  for (const auto& [colour, label] : labels) {
+    meaning[colour] = roles.ValueOf(label).value_or(kMaskBad);
+  }
+  return meaning;
+}
+
+Image ReadColouredMask(const fs::path& path, const std::map<Colour, std::uint8_t>& meaning) {
+  const Image labels = ReadLabelPicture(path);
+  Image mask(labels.width(), labels.height());
+  const bool is_gray = labels.channels() == 1;
+  for (int v = 0; v < labels.height(); ++v) {
+    for (int u = 0; u < labels.width(); ++u) {
+      const std::uint8_t blue = labels.At(u, v);
+      const Colour colour =
+          is_gray ? Colour{blue, blue, blue} : Colour{labels.At(u, v, 2), labels.At(u, v, 1), blue};
+      const auto found = meaning.find(colour);
+      if (found == meaning.end()) {
+        throw Error({.path = path.string(),
+                     .reason = "the colour " + std::to_string(colour[0]) + "," +
+                               std::to_string(colour[1]) + "," + std::to_string(colour[2]) +
+                               " at column " + std::to_string(u) + ", row " + std::to_string(v) +
+                               " is of no label in labelmap.txt"});
+      }
+      mask.At(u, v) = found->second;
+    }
+  }
+  return mask;
+}
+
+// Pictures by their path without extension.
+std::map<std::string, fs::path> FindImages(const fs::path& folder) {
+  std::map<std::string, fs::path> images;
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored)) {
+    throw Error({.path = folder.string(),
+                 .reason = "no folder of the pictures",
+                 .remedy = "export with \"Save images\", or name the folder (--images)"});
+  }
+  for (const fs::path& file : ListFiles(folder, std::numeric_limits<int>::max())) {
+    if (!IsNamedLikeAPicture(file)) continue;
+    const fs::path relative = file.lexically_relative(folder);
+    images.try_emplace(fs::path(relative).replace_extension().generic_string(), relative);
+  }
+  return images;
+}
+
+// Every name that is listed, in byte order, with the list it stands in.
+std::map<std::string, fs::path> ReadNames(const fs::path& folder) {
+  std::map<std::string, fs::path> names;
+  for (const fs::path& list : ListFiles(folder, 0)) {
+    if (list.extension() != ".txt") continue;
+    for (const auto& [number, name] : ReadLines(list)) names.try_emplace(name, list);
+  }
+  if (names.empty()) {
+    throw Error({.path = folder.string(), .reason = "no *.txt with names of pictures"});
+  }
+  return names;
+}
+
+}  // namespace
+
+SourceSet ListCvat(const fs::path& source, const CvatOptions& options) {
+  options.roles.Validate();
+  const auto labels = ReadLabelMap(source / "labelmap.txt");
+  std::set<std::string> label_names;
+  for (const auto& [colour, label] : labels) label_names.insert(label);
+  options.roles.RequireAmong(label_names, source / "labelmap.txt");
+  const auto meaning = MeaningOfColours(labels, options.roles);
+  const fs::path folder = options.images.empty() ? source / "JPEGImages" : options.images;
+  const auto images = FindImages(folder);
+  SourceSet set;
+  for (const auto& [name, list] : ReadNames(source / "ImageSets" / "Segmentation")) {
+    const fs::path masks = source / "SegmentationClass";
+    const fs::path mask = masks / FindNamedFile(masks, name + ".png", list);
+    const auto image = images.find(fs::path(name).lexically_normal().generic_string());
+    if (image == images.end()) {
+      throw Error({.path = list.string(),
+                   .reason = "no picture '" + name + "' in " + folder.string(),
+                   .remedy = "name the folder of the pictures (--images)"});
+    }
+    set.pictures.push_back(
+        {.path = folder / image->second,
+         .image = image->second.generic_string(),
+         .mask = image->first + ".png",
+         .object_class = ClassOfPath(image->second),
+         .instance = image->first,
+         .make_mask = [mask, meaning](int width, int height) {
+           Image made = ReadColouredMask(mask, meaning);
+           RequireSameSize(mask, "the mask", {made.width(), made.height()}, {width, height});
+           return made;
+         }});
+  }
+  return set;
+}
+
+}  // namespace handcraft::datasets

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "datasets/importers/jacquard.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "datasets/importers/source_tree.h"
+#include "lib/core/error.h"
+#include "lib/core/file.h"
+
+namespace handcraft::datasets {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kImageEnd = "_RGB.png";
+constexpr std::string_view kGraspsEnd = "_grasps.txt";
+
+// x, y, theta, opening, jaw.
+using Grasp = std::array<double, 5>;
+
+Grasp ParseGrasp(const fs::path& path, std::size_t line_number, std::string_view line) {
+  constexpr double kLargest = 1e6;
+  Grasp grasp{};
+  const char* at = line.data();
+  const char* const end = line.data() + line.size();
+  bool is_good = true;
+  for (std::size_t i = 0; is_good && i < grasp.size(); ++i) {
+    if (i > 0) is_good = at != end && *at++ == ';';
+    if (!is_good) break;
+    const auto [stop, error] = std::from_chars(at, end, grasp[i]);
+    at = stop;
+    is_good = error == std::errc() && std::abs(grasp[i]) <= kLargest;  // false for NaN
+  }
+  if (!is_good || at != end) {
+    throw Error({.path = path.string(),
+                 .line = line_number,
+                 .reason = "'" + std::string(line.substr(0, 40)) +
+                           "' where a grasp \"x;y;theta;opening;jaw\" is due"});
+  }
+  return grasp;
+}
+
+GraspRectangle ToRectangle(const Grasp& grasp) {
+  const auto [x, y, theta_deg, opening, jaw] = grasp;
+  const double angle = theta_deg * std::numbers::pi / 180.0;
+  const auto corner = [&, x = x, y = y, opening = opening, jaw = jaw](double s, double t) {
+    const double along = s * opening / 2;
+    const double across = t * jaw / 2;
+    return std::array{x + along * std::cos(angle) - across * std::sin(angle),
+                      y + along * std::sin(angle) + across * std::cos(angle)};
+  };
+  return {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
+}
+
+// "0_1a2b" is the first scene of object 1a2b.
+std::string ObjectOf(const std::string& scene) {
+  const std::size_t at = scene.find('_');
+  const bool is_numbered = at != std::string::npos && at > 0 && at + 1 < scene.size() &&
+                           scene.find_first_not_of("0123456789") == at;
+  return is_numbered ? scene.substr(at + 1) : scene;
+}
+
+SourcePicture Describe(const fs::path& image,
+                       const fs::path& relative,
+                       const std::string& scene,
+                       std::vector<GraspRectangle> grasps,
+                       const GraspMaskOptions& options) {
+  return {.path = image,
+          .image = relative.generic_string(),
+          .mask = (relative.parent_path() / (scene + ".png")).generic_string(),
+          .instance = ObjectOf(scene),
+          .make_mask = [grasps = std::move(grasps), options](int width, int height) {
+            return MakeGraspMask(width, height, grasps, {}, options);
+          }};
+}
+
+}  // namespace
+
+std::vector<GraspRectangle> ReadJacquardGrasps(const fs::path& path) {
+  constexpr double kSmallest_px2 = 1.0;
+  const std::string text = ReadTextFile(path);
+  std::vector<GraspRectangle> rectangles;
+  std::size_t line_number = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    std::string_view line = std::string_view(text).substr(at, end - at);
+    at = end + 1;
+    ++line_number;
+    line = line.substr(0, line.find_last_not_of(" \t\r") + 1);
+    if (line.empty()) continue;
+    const GraspRectangle rectangle = ToRectangle(ParseGrasp(path, line_number, line));
+    if (RectangleArea(rectangle) >= kSmallest_px2) rectangles.push_back(rectangle);
+  }
+  return rectangles;
+}
+
+SourceSet ListJacquard(const fs::path& source, const GraspMaskOptions& options) {
+  options.Validate();
+  SourceSet set;
+  std::size_t num_images = 0;
+  std::size_t num_labels = 0;
+  for (const fs::path& file : ListFiles(source, std::numeric_limits<int>::max())) {
+    const std::string name = file.filename().string();
+    if (name.ends_with(kGraspsEnd)) ++num_labels;
+    if (!name.ends_with(kImageEnd)) continue;
+    ++num_images;
+    const std::string scene = name.substr(0, name.size() - kImageEnd.size());
+    const fs::path labels = file.parent_path() / (scene + std::string(kGraspsEnd));
+    if (!fs::exists(labels)) continue;
+    std::vector<GraspRectangle> grasps = ReadJacquardGrasps(labels);
+    if (grasps.empty()) continue;
+    set.pictures.push_back(
+        Describe(file, file.lexically_relative(source), scene, std::move(grasps), options));
+  }
+  if (set.pictures.empty()) {
+    throw Error({.path = source.string(),
+                 .reason = "no *_RGB.png with grasps in its *_grasps.txt; found " +
+                           std::to_string(num_images) + " pictures and " +
+                           std::to_string(num_labels) + " files of grasps",
+                 .remedy = "give the folder that holds the folders of the objects"});
+  }
+  return set;
+}
+
+}  // namespace handcraft::datasets
