@@ -41,6 +41,7 @@ void AddCommands(CLI::App& app, const Console& console) {
   AddDataInfo(data, console);
   AddDataCheck(data, console);
   AddDataImport(data, console);
+  AddDataPreview(data, console);
   AddDataSynth(data, console);
   CLI::App& train = AddGroup(app, "train", "Fit a model and write it to a file");
   AddTrainGraspPoints(train, console);

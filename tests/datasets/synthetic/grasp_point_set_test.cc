@@ -73,8 +73,8 @@ TEST(MakeGraspPointSet, LabelsOnlyTheObjectsAndKnowsTheirDepth) {
 
 TEST(MakeGraspPointSet, GivesTheSameBytesForAnyNumberOfThreads) {
   const TemporaryDirectory folder;
-  MakeGraspPointSet(folder / "one", {.num_images = 2, .with_right = true, .num_threads = 1});
-  MakeGraspPointSet(folder / "two", {.num_images = 2, .with_right = true, .num_threads = 2});
+  MakeGraspPointSet(folder / "one", {.num_images = 2, .num_threads = 1});
+  MakeGraspPointSet(folder / "two", {.num_images = 2, .num_threads = 2});
   EXPECT_TRUE(ReadTree(folder / "one") == ReadTree(folder / "two"));
 }
 

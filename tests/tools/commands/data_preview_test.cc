@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "lib/core/file.h"
+#include "lib/perception/image_io.h"
+#include "tests/support/temporary_directory.h"
+#include "tests/tools/support/run.h"
+
+namespace handcraft::tools {
+namespace {
+
+using handcraft::testing::TemporaryDirectory;
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::RunLine;
+
+const std::string kSample = HANDCRAFT_SOURCE_DIR "/datasets/samples/cornell_mini";
+
+TEST(DataPreview, DrawsTheSample) {
+  const TemporaryDirectory folder;
+  const std::string out = (folder / "sheet.png").string();
+  const Outcome outcome = RunLine("data preview " + kSample + " --out " + out +
+                                  " --images-per-class 1 --tile-width 64 --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  const Image sheet = perception::ReadImage(out);
+  EXPECT_EQ(json["width_px"], 128);
+  EXPECT_EQ(sheet.width(), 128);
+  EXPECT_EQ(json["height_px"], sheet.height());
+}
+
+TEST(DataPreview, RefusesToOverwriteItsInput) {
+  const std::string manifest = kSample + "/manifest.csv";
+  const std::string before = ReadTextFile(manifest);
+  EXPECT_EQ(RunLine("data preview " + kSample + " --out " + manifest).code, 2);
+  EXPECT_EQ(ReadTextFile(manifest), before);
+}
+
+TEST(DataPreview, NamesWhatIsWrong) {
+  EXPECT_THAT(RunLine("data preview no/such --out sheet.png").err, HasSubstr("no/such"));
+  EXPECT_EQ(RunLine("data preview " + kSample + " --out no/folder/sheet.png").code, 3);
+  EXPECT_THAT(RunLine("data preview " + kSample + " --out x.png --tile-width 3").err,
+              HasSubstr("--tile-width: 3 given; it must be from 16 to 640"));
+}
+
+}  // namespace
+}  // namespace handcraft::tools
