@@ -37,9 +37,10 @@ void AddCommands(CLI::App& app, const Console& console) {
   app.set_version_flag("--version", std::string("handcraft ") + hc_version());
   app.formatter(std::make_shared<HelpFormatter>());
   app.footer("Run 'handcraft COMMAND --help' for the options of a command and an example.");
-  CLI::App& data = AddGroup(app, "data", "Import, make, describe and check data sets");
+  CLI::App& data = AddGroup(app, "data", "Import, make, describe, check and export data sets");
   AddDataInfo(data, console);
   AddDataCheck(data, console);
+  AddDataExport(data, console);
   AddDataImport(data, console);
   AddDataPreview(data, console);
   AddDataSynth(data, console);

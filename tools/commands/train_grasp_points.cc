@@ -7,9 +7,8 @@
 #include <memory>
 #include <optional>
 #include <ostream>
-#include <set>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -28,8 +27,8 @@
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "tools/held_out_figures.h"
+#include "tools/labelled_pixels.h"
 #include "tools/logistic_options.h"
-#include "tools/number_option.h"
 #include "tools/progress_bar.h"
 #include "tools/text_table.h"
 #include "tools/training_outcome.h"
@@ -39,19 +38,22 @@ namespace handcraft::tools {
 namespace {
 
 struct TrainGraspPointsOptions {
-  std::string dataset;
+  LabelledPixelsOptions pixels;
   std::string out;
   std::string name = "grasp_points";
-  std::string features = "all500,energy=log";
-  std::string split = "train";
   std::string held_out = "test";
   bool held_out_is_given = false;
-  datasets::SamplingOptions sampling;
   logistic::Options logistic;
-  std::uint64_t seed = 1;
-  int num_threads = 1;
   bool json = false;
 };
+
+// Draws and threads are those of the pixels.
+logistic::Options TrainerOptions(const TrainGraspPointsOptions& options) {
+  logistic::Options logistic = options.logistic;
+  logistic.seed = options.pixels.sampling.seed;
+  logistic.num_threads = options.pixels.sampling.num_threads;
+  return logistic;
+}
 
 // What training leaves behind, for the model file and for the screen.
 struct Training {
@@ -59,7 +61,6 @@ struct Training {
   datasets::LabelledImageSet set;
   std::optional<datasets::LabelledImageSet> held_out;
   std::size_t num_images = 0;  // that gave samples
-  std::vector<std::string> left_out;
   logistic::Result result;
   std::optional<experiments::GraspPointEvaluation> evaluation;  // on held_out
 };
@@ -71,17 +72,11 @@ std::vector<std::string> FeatureNames(const features::FeatureSpec& spec) {
   return names;
 }
 
-std::size_t NumImages(const std::vector<datasets::PixelSample>& pixels) {
-  std::set<std::uint32_t> images;
-  for (const datasets::PixelSample& pixel : pixels) images.insert(pixel.image);
-  return images.size();
-}
-
 // The images to measure on, if there are any that training does not see. A split that was asked
 // for must be there; the one by default need not.
 std::optional<datasets::LabelledImageSet> HeldOutOf(const datasets::LabelledImageSet& set,
                                                     const TrainGraspPointsOptions& options) {
-  const bool is_seen = options.split.empty() || options.split == options.held_out;
+  const bool is_seen = options.pixels.split.empty() || options.pixels.split == options.held_out;
   if (options.held_out_is_given && !options.held_out.empty()) {
     if (is_seen) {
       throw Error(
@@ -99,32 +94,23 @@ std::optional<datasets::LabelledImageSet> HeldOutOf(const datasets::LabelledImag
 }
 
 Training Train(const TrainGraspPointsOptions& options, const Console& console) {
-  const datasets::LabelledImageSet whole_set = datasets::ReadLabelledImageSet(options.dataset);
+  const datasets::LabelledImageSet whole_set =
+      datasets::ReadLabelledImageSet(options.pixels.dataset);
   RequireNotAnInput(options.out, FilesOf(whole_set));
-  Training training{.spec = features::ParseFeatureSpec(options.features),
-                    .set = whole_set.Only(options.split),
-                    .held_out = HeldOutOf(whole_set, options),
-                    .num_images = 0,
-                    .left_out = {},
-                    .result = {},
-                    .evaluation = {}};
-  ProgressBar bar(console);
-  datasets::SamplingOptions sampling = options.sampling;
-  logistic::Options logistic = options.logistic;
-  sampling.seed = logistic.seed = options.seed;
-  sampling.num_threads = logistic.num_threads = options.num_threads;
-  sampling.progress = logistic.progress = bar.Callback();
-  sampling.left_out = [&](const std::string& image, std::string_view reason) {
-    training.left_out.push_back(fmt::format("left out: {}, {}", image, reason));
-  };
-  const std::vector<datasets::PixelSample> pixels = datasets::DrawSamples(training.set, sampling);
-  training.num_images = NumImages(pixels);
-  const datasets::GraspPointSamples samples =
-      datasets::ComputeSampleFeatures(training.set, pixels, training.spec, sampling);
+  Training training;
+  training.held_out = HeldOutOf(whole_set, options);
+  LabelledPixels pixels = DrawLabelledPixels(options.pixels, whole_set, console);
+  training.spec = pixels.spec;
+  training.set = std::move(pixels.set);
+  training.num_images = pixels.num_images;
+  const datasets::GraspPointSamples& samples = pixels.samples;
   const logistic::DesignMatrix<float> matrix{.data = samples.features.data(),
                                              .num_samples = samples.num_samples(),
                                              .num_features = samples.num_features,
                                              .stride = samples.num_features};
+  ProgressBar bar(console);
+  logistic::Options logistic = TrainerOptions(options);
+  logistic.progress = bar.Callback();
   training.result = logistic::TrainLogistic<float>(matrix, samples.labels, logistic);
   return training;
 }
@@ -132,9 +118,6 @@ Training Train(const TrainGraspPointsOptions& options, const Console& console) {
 model_io::Provenance ProvenanceOf(const TrainGraspPointsOptions& options,
                                   const Training& training) {
   const logistic::Summary& summary = training.result.summary;
-  datasets::SamplingOptions sampling = options.sampling;
-  logistic::Options logistic = options.logistic;
-  sampling.seed = logistic.seed = options.seed;
   model_io::Provenance provenance{
       .name = options.name,
       .task = "grasp_point",
@@ -146,9 +129,9 @@ model_io::Provenance ProvenanceOf(const TrainGraspPointsOptions& options,
       .data_fingerprint = datasets::Fingerprint(training.set),
       .class_counts = fmt::format(
           "0: {}, 1: {}", summary.num_samples - summary.num_positive, summary.num_positive)};
-  provenance.hyper_parameters = FieldsToText(sampling, "sampling.");
-  provenance.hyper_parameters.merge(FieldsToText(logistic, "irls."));
-  provenance.hyper_parameters["split"] = options.split;
+  provenance.hyper_parameters = FieldsToText(options.pixels.sampling, "sampling.");
+  provenance.hyper_parameters.merge(FieldsToText(TrainerOptions(options), "irls."));
+  provenance.hyper_parameters["split"] = options.pixels.split;
   provenance.metrics = {{"train.num_samples", NumberToText(summary.num_samples)},
                         {"train.num_images", NumberToText(training.num_images)},
                         {"train.deviance", NumberToText(summary.deviance)},
@@ -178,10 +161,11 @@ void MeasureHeldOut(const TrainGraspPointsOptions& options,
   if (!training.held_out) return;
   ProgressBar bar(console);
   try {
-    training.evaluation = EvaluateHeldOut(
-        ModelBytes(options, training),
-        *training.held_out,
-        {.seed = options.seed, .num_threads = options.num_threads, .progress = bar.Callback()});
+    training.evaluation = EvaluateHeldOut(ModelBytes(options, training),
+                                          *training.held_out,
+                                          {.seed = options.pixels.sampling.seed,
+                                           .num_threads = options.pixels.sampling.num_threads,
+                                           .progress = bar.Callback()});
   } catch (const Error& error) {
     bar.Clear();
     console.Warn(fmt::format("no held-out figures: {}", error.what()));
@@ -249,13 +233,14 @@ void PrintText(const Console& console,
                 fmt::format("{} of {} ({})",
                             training.num_images,
                             training.set.items.size(),
-                            options.split.empty() ? "all" : options.split)});
+                            options.pixels.split.empty() ? "all" : options.pixels.split)});
   table.AddRow({"samples",
                 fmt::format("{} ({} good, {} bad)",
                             summary.num_samples,
                             summary.num_positive,
                             summary.num_samples - summary.num_positive)});
-  table.AddRow({"features", fmt::format("{} ({})", training.spec.NumFeatures(), options.features)});
+  table.AddRow(
+      {"features", fmt::format("{} ({})", training.spec.NumFeatures(), options.pixels.features)});
   table.AddRow({"log-loss",
                 fmt::format("{:.6f} (without features {:.6f})",
                             LogLossOf(summary),
@@ -271,21 +256,10 @@ void PrintText(const Console& console,
   console.out << table.ToText();
 }
 
-// The images may not have as many good pixels as were asked for; rounding is not worth a word.
-void WarnOfFewSamples(const datasets::SamplingOptions& sampling,
-                      const logistic::Summary& summary,
-                      const Console& console) {
-  if (summary.num_samples >= sampling.num_samples / 100 * 99) return;
-  console.Warn(fmt::format(
-      "{} samples were asked for; the images give {}", sampling.num_samples, summary.num_samples));
-}
-
 void RunTrainGraspPoints(const TrainGraspPointsOptions& options, const Console& console) {
   RequireWritable(options.out);
   Training training = Train(options, console);
-  for (const std::string& warning : training.left_out) console.Warn(warning);
   RequireUsable(training.result.summary, FeatureNames(training.spec), console);
-  WarnOfFewSamples(options.sampling, training.result.summary, console);
   MeasureHeldOut(options, console, training);
   const std::vector<std::uint8_t> bytes = ModelBytes(options, training);
   WriteFileAtomically(options.out, bytes);
@@ -296,68 +270,14 @@ void RunTrainGraspPoints(const TrainGraspPointsOptions& options, const Console& 
   }
 }
 
-void AddSamplingOptions(CLI::App& command, datasets::SamplingOptions& sampling) {
-  const std::string group = "Sampling";
-  AddNumber(command,
-            "--samples",
-            sampling,
-            &datasets::SamplingOptions::num_samples,
-            "Pixels to draw in all; 0: every one")
-      ->group(group);
-  AddNumber(command,
-            "--bad-per-good",
-            sampling,
-            &datasets::SamplingOptions::bad_per_good,
-            "Bad pixels for each good one")
-      ->group(group);
-  AddNumber(command,
-            "--image-share",
-            sampling,
-            &datasets::SamplingOptions::image_share,
-            "Share of the images to use, (0, 1]")
-      ->group(group);
-  CLI::Option* share = AddNumber(command,
-                                 "--hard-negatives",
-                                 sampling,
-                                 &datasets::SamplingOptions::hard_negative_share,
-                                 "Share of the bad pixels to draw near good ones, [0, 1]");
-  share->group(group);
-  AddNumber(command,
-            "--hard-negative-radius",
-            sampling,
-            &datasets::SamplingOptions::hard_negative_radius_px,
-            "… no farther than this from a good one [px]")
-      ->needs(share)
-      ->group(group);
-}
-
-// Options that nothing reads when every pixel is taken.
-void RefuseRatios(const CLI::App& command) {
-  for (const char* name : {"--bad-per-good", "--hard-negatives"}) {
-    if (command.count(name) == 0) continue;
-    throw Error(
-        {.kind = Error::Kind::kUsage,
-         .reason = std::string(name) + " says which pixels to draw: --samples 0 takes all"});
-  }
-}
-
 }  // namespace
 
 void AddTrainGraspPoints(CLI::App& parent, const Console& console) {
   auto options = std::make_shared<TrainGraspPointsOptions>();
   CLI::App* command = parent.add_subcommand(
       "grasp-points", "Learn which pixels can be grasped from a labelled image set");
-  command->add_option("DATASET", options->dataset, "Folder with manifest.csv")->required();
+  AddLabelledPixelsOptions(*command, options->pixels);
   command->add_option("--out", options->out, "Model file to write")->type_name("FILE")->required();
-  command
-      ->add_option("--features",
-                   options->features,
-                   "all500, edges150, window180, edges54 or saxena459, then changes such as "
-                   "energy=square|abs|log, window=3, filters=edges+laplacian")
-      ->type_name("SPEC")
-      ->capture_default_str();
-  command->add_option("--split", options->split, "Split to train on; '' for all images")
-      ->capture_default_str();
   CLI::Option* held_out =
       command
           ->add_option("--held-out",
@@ -366,17 +286,14 @@ void AddTrainGraspPoints(CLI::App& parent, const Console& console) {
           ->capture_default_str();
   command->add_option("--name", options->name, "Name of the model, stored in it")
       ->capture_default_str();
-  AddSeedOption(*command, options->seed);
-  AddThreadsOption(*command, options->num_threads);
   AddJsonFlag(*command, options->json);
-  AddSamplingOptions(*command, options->sampling);
   AddLogisticOptions(*command, options->logistic);
   SetExample(*command,
              "handcraft train grasp-points datasets/samples/cornell_mini "
              "--out grasp_points.safetensors");
   command->callback([options, command, held_out, &console] {
     options->held_out_is_given = held_out->count() > 0;
-    if (options->sampling.num_samples == 0) RefuseRatios(*command);
+    RefuseUnreadOptions(*command, options->pixels);
     RunTrainGraspPoints(*options, console);
   });
 }
