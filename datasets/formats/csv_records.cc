@@ -3,16 +3,26 @@
 
 #include "datasets/formats/csv_records.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "lib/core/error.h"
 #include "lib/core/file.h"
+#include "lib/core/utf8.h"
 
 namespace handcraft::datasets {
 
 CsvRecords::CsvRecords(std::filesystem::path path)
     : path_(std::move(path)), text_(ReadTextFile(path_)) {
   if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
+  const std::size_t good = std::min(Utf8PrefixLength(text_), text_.find('\0'));
+  if (good >= text_.size()) return;
+  const auto line_ends =
+      std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(good), '\n');
+  throw Error({.path = path_.string(),
+               .line = static_cast<std::size_t>(line_ends) + 1,
+               .reason = "not UTF-8 text: a byte that cannot stand there",
+               .remedy = "save it as CSV in UTF-8"});
 }
 
 void CsvRecords::Fail(std::string reason, std::string remedy) const {

@@ -16,7 +16,8 @@ namespace handcraft::datasets {
 /// and empty lines are skipped. Source: RFC 4180.
 class CsvRecords {
  public:
-  /// Reads the whole file. Throws Error when it cannot.
+  /// Reads the whole file. Throws Error when it cannot, and with the line when it is not UTF-8
+  /// (Latin-1 letters, UTF-16, a file of another kind).
   explicit CsvRecords(std::filesystem::path path);
   CsvRecords(const CsvRecords&) = delete;
   CsvRecords& operator=(const CsvRecords&) = delete;

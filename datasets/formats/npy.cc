@@ -57,21 +57,26 @@ std::string_view ValueOf(const File& file, std::string_view dictionary, std::str
   return dictionary;
 }
 
-// "(3, 4)" → {3, 4}; a dimension that fits no address is refused.
+// "(3, 4), …" → {3, 4}: digits, commas and blanks in brackets, as Python writes them.
 std::vector<std::size_t> ParseShape(const File& file, std::string_view text) {
-  const std::string_view shape = text.substr(0, text.find(')'));
+  const std::size_t close = text.find(')');
+  if (!text.starts_with('(') || close == std::string_view::npos) {
+    file.Fail(kMagic.size(), "an NPY shape without brackets");
+  }
   std::vector<std::size_t> dimensions;
-  for (std::size_t at = 0; at < shape.size();) {
-    const bool is_digit = shape[at] >= '0' && shape[at] <= '9';
-    if (!is_digit) {
+  for (std::size_t at = 1; at < close;) {
+    if (text[at] == ' ' || text[at] == ',') {
       ++at;
       continue;
     }
     std::size_t value = 0;
-    const auto result = std::from_chars(shape.data() + at, shape.data() + shape.size(), value);
-    if (result.ec != std::errc()) file.Fail(kMagic.size(), "an NPY shape beyond all bounds");
+    const auto result = std::from_chars(text.data() + at, text.data() + close, value);
+    if (result.ec == std::errc::result_out_of_range) {
+      file.Fail(kMagic.size(), "an NPY shape beyond all bounds");
+    }
+    if (result.ec != std::errc()) file.Fail(kMagic.size(), "an NPY shape that is not of numbers");
     dimensions.push_back(value);
-    at = static_cast<std::size_t>(result.ptr - shape.data());
+    at = static_cast<std::size_t>(result.ptr - text.data());
   }
   return dimensions;
 }

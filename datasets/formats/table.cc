@@ -91,7 +91,22 @@ std::vector<std::string> ReadColumnNames(CsvRecords& records,
   records.Fail(where + Quoted(text) + " where a number is due");
 }
 
-Table ReadCsvTable(const fs::path& path, const std::string& label_column) {
+// For each column, whether it is read as numbers.
+std::vector<bool> ChooseFeatures(const std::vector<std::string>& names,
+                                 std::size_t label,
+                                 const std::vector<std::string>& wanted) {
+  std::vector<bool> is_feature(names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const bool is_wanted =
+        wanted.empty() || std::find(wanted.begin(), wanted.end(), names[i]) != wanted.end();
+    is_feature[i] = i != label && is_wanted;
+  }
+  return is_feature;
+}
+
+Table ReadCsvTable(const fs::path& path,
+                   const std::string& label_column,
+                   const std::vector<std::string>& wanted) {
   CsvRecords records(path);
   std::vector<std::string_view> fields;
   if (!records.Next(fields)) throw Error({.path = path.string(), .reason = "the file is empty"});
@@ -101,11 +116,11 @@ Table ReadCsvTable(const fs::path& path, const std::string& label_column) {
   if (!label_column.empty() && label == names.size()) {
     FailLabelColumn(path, label_column, "there are: " + ListOf(names));
   }
+  const std::vector<bool> is_feature = ChooseFeatures(names, label, wanted);
   Table table;
-  table.columns = names;
   table.label_column = label_column;
-  if (label < names.size()) {
-    table.columns.erase(table.columns.begin() + static_cast<std::ptrdiff_t>(label));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (is_feature[i]) table.columns.push_back(names[i]);
   }
   while (records.Next(fields)) {
     if (fields.size() != names.size()) {
@@ -113,7 +128,7 @@ Table ReadCsvTable(const fs::path& path, const std::string& label_column) {
                    std::to_string(names.size()));
     }
     for (std::size_t i = 0; i < fields.size(); ++i) {
-      if (i == label) continue;
+      if (!is_feature[i]) continue;
       const std::optional<double> value = ParseNumber(fields[i]);
       if (!value || !std::isfinite(*value)) FailNumber(records, names[i], fields[i]);
       table.values.push_back(*value);
@@ -146,6 +161,7 @@ std::size_t NpyLabelColumn(const fs::path& path,
 
 Table ReadNpyTable(const fs::path& path, const std::string& label_column) {
   const NpyMatrix matrix = ReadNpy(path);
+  if (matrix.columns == 0) throw Error({.path = path.string(), .reason = "no column of numbers"});
   const std::size_t label = NpyLabelColumn(path, label_column, matrix.columns);
   Table table;
   table.num_rows = matrix.rows;
@@ -176,11 +192,14 @@ bool LabelLess(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-Table ReadTable(const fs::path& path, const std::string& label_column) {
+Table ReadTable(const fs::path& path,
+                const std::string& label_column,
+                const std::vector<std::string>& wanted) {
   const bool is_npy = path.extension() == ".npy" || IsNpy(path);
-  Table table = is_npy ? ReadNpyTable(path, label_column) : ReadCsvTable(path, label_column);
+  Table table =
+      is_npy ? ReadNpyTable(path, label_column) : ReadCsvTable(path, label_column, wanted);
   if (table.num_rows == 0) throw Error({.path = path.string(), .reason = "no row of numbers"});
-  if (table.columns.empty()) {
+  if (table.columns.empty() && wanted.empty()) {
     throw Error({.path = path.string(), .reason = "no column of numbers beside the label"});
   }
   return table;

@@ -108,7 +108,7 @@ TableModel ReadTableModel(const fs::path& path) {
 
 datasets::Table ReadTableFor(const TableModel& model, const fs::path& path) {
   RequireNotPictures(path);
-  datasets::Table table = datasets::ReadTable(path, LabelColumnIn(path, model));
+  datasets::Table table = datasets::ReadTable(path, LabelColumnIn(path, model), model.columns);
   if (datasets::IsNpy(path) && table.columns.size() == model.columns.size()) {
     table.columns = model.columns;
     return table;

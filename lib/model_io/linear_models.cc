@@ -11,6 +11,7 @@
 #include "lib/core/check.h"
 #include "lib/core/error.h"
 #include "lib/core/sha256.h"
+#include "lib/core/utf8.h"
 #include "lib/features/filter_bank.h"
 #include "lib/model_io/grasp_point_self_test.h"
 #include "lib/runtime/format.h"
@@ -162,6 +163,10 @@ std::vector<std::uint8_t> JoinColumnNames(const std::vector<std::string>& names)
     if (names[i].empty() || names[i].find('\n') != std::string::npos) {
       throw Error({.reason = "the name of column " + std::to_string(i + 1) +
                              " is empty or has a line break",
+                   .remedy = "rename the column"});
+    }
+    if (!IsUtf8(names[i])) {
+      throw Error({.reason = "the name of column " + std::to_string(i + 1) + " is not UTF-8",
                    .remedy = "rename the column"});
     }
     if (i > 0) joined.push_back('\n');

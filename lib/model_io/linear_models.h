@@ -47,7 +47,7 @@ struct LinearModel {
 
 /// Kind "logistic": probability of `positive_label` for a row of the named columns. Self-test rows
 /// are taken from the mean and scale. docs/model_format.md § 6. Throws std::logic_error when sizes
-/// do not fit, Error(kBadInput) for a column name that is empty or has a line break.
+/// do not fit, Error(kBadInput) for a column name that is empty, has a line break or is not UTF-8.
 [[nodiscard]] ModelFile MakeLogisticModel(const std::vector<std::string>& column_names,
                                           const std::string& label_column,
                                           const std::string& negative_label,

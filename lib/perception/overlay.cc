@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
@@ -50,32 +51,87 @@ void BlendProbabilities(Image& image, const FloatImage& probabilities) {
   }
 }
 
-// A circle with its rank beside it; dark below bright, so that it shows on any ground.
-void DrawPoint(cv::Mat& canvas, const MarkedPoint& point, std::size_t rank) {
-  const double scale = std::max(1.0, std::max(canvas.cols, canvas.rows) / 640.0);
-  const int radius_px = static_cast<int>(std::lround(5.0 * scale));
-  const int width_px = static_cast<int>(std::lround(scale));
-  const cv::Point centre(point.u_px, point.v_px);
-  const std::string number = std::to_string(rank);
-  const double font_scale = 0.4 * scale;
-  const cv::Size text_size =
-      cv::getTextSize(number, cv::FONT_HERSHEY_SIMPLEX, font_scale, width_px, nullptr);
-  const cv::Point text(std::min(centre.x + radius_px + 1, canvas.cols - text_size.width),
-                       std::max(centre.y - radius_px + 1, text_size.height));
-  const cv::Scalar dark(0, 0, 0);
-  const cv::Scalar bright(80, 255, 80);
-  for (const auto& [colour, extra_px] : {std::pair{dark, 2}, std::pair{bright, 0}}) {
-    cv::circle(canvas, centre, radius_px, colour, width_px + extra_px, cv::LINE_AA);
-    cv::putText(canvas,
-                number,
-                text,
-                cv::FONT_HERSHEY_SIMPLEX,
-                font_scale,
-                colour,
-                width_px + extra_px,
-                cv::LINE_AA);
-  }
+// Dark below bright, so that it shows on any ground.
+template <class Draw>
+void DrawTwice(int width_px, const Draw& draw) {
+  draw(cv::Scalar(0, 0, 0), width_px + 2);
+  draw(cv::Scalar(80, 255, 80), width_px);
 }
+
+// Circles with their ranks beside them. A number goes to the first of some places around its circle
+// where it covers no circle and no better number; where there is none, the circle stands alone.
+class PointDrawing {
+ public:
+  PointDrawing(cv::Mat& canvas, std::span<const MarkedPoint> points)
+      : canvas_(canvas), points_(points) {
+    for (std::size_t i = points_.size(); i-- > 0;) DrawCircle(points_[i]);  // best on top
+    for (std::size_t i = 0; i < points_.size(); ++i) DrawRank(i);
+  }
+
+ private:
+  void DrawCircle(const MarkedPoint& point) {
+    const cv::Point centre(point.u_px, point.v_px);
+    DrawTwice(width_px_, [&](const cv::Scalar& colour, int width_px) {
+      cv::circle(canvas_, centre, radius_px_, colour, width_px, cv::LINE_AA);
+    });
+    taken_.emplace_back(centre - cv::Point(radius_px_, radius_px_),
+                        cv::Size(2 * radius_px_ + 1, 2 * radius_px_ + 1));
+  }
+
+  void DrawRank(std::size_t i) {
+    const std::string number = std::to_string(i + 1);
+    const cv::Size size =
+        cv::getTextSize(number, cv::FONT_HERSHEY_SIMPLEX, font_scale_, width_px_, nullptr);
+    const cv::Rect whole(0, 0, canvas_.cols, canvas_.rows);
+    for (const double distance : {1.0, 1.6}) {
+      for (int eighth = 0; eighth < 8; ++eighth) {
+        const cv::Rect place = Beside(points_[i], size, eighth, distance);
+        if ((place & whole) != place || IsTaken(place)) continue;
+        DrawTwice(width_px_, [&](const cv::Scalar& colour, int width_px) {
+          const cv::Point corner(place.x, place.y + place.height);
+          cv::putText(canvas_,
+                      number,
+                      corner,
+                      cv::FONT_HERSHEY_SIMPLEX,
+                      font_scale_,
+                      colour,
+                      width_px,
+                      cv::LINE_AA);
+        });
+        taken_.push_back(place);
+        return;
+      }
+    }
+  }
+
+  // Centred on a ray from the point, in the direction of that eighth of a turn from the upper
+  // right.
+  [[nodiscard]] cv::Rect Beside(const MarkedPoint& point,
+                                cv::Size size,
+                                int eighth,
+                                double distance) const {
+    const double angle = (eighth - 1) * CV_PI / 4.0;
+    const double reach = distance * (radius_px_ + 0.5 * size.width + 2.0);
+    return {cvRound(point.u_px + reach * std::cos(angle) - 0.5 * size.width),
+            cvRound(point.v_px + reach * std::sin(angle) - 0.5 * size.height),
+            size.width,
+            size.height};
+  }
+
+  [[nodiscard]] bool IsTaken(const cv::Rect& place) const {
+    return std::any_of(taken_.begin(), taken_.end(), [&](const cv::Rect& other) {
+      return (other & place).area() > 0;
+    });
+  }
+
+  cv::Mat& canvas_;
+  std::span<const MarkedPoint> points_;
+  double scale_ = std::max(1.0, std::max(canvas_.cols, canvas_.rows) / 640.0);
+  int radius_px_ = static_cast<int>(std::lround(5.0 * scale_));
+  int width_px_ = static_cast<int>(std::lround(scale_));
+  double font_scale_ = 0.4 * scale_;
+  std::vector<cv::Rect> taken_;
+};
 
 }  // namespace
 
@@ -94,7 +150,7 @@ Image DrawGraspPoints(const Image& image,
   }
   if (drawn.empty()) return drawn;
   cv::Mat canvas(drawn.height(), drawn.width(), CV_8UC3, drawn.Row(0));
-  for (std::size_t i = points.size(); i-- > 0;) DrawPoint(canvas, points[i], i + 1);  // best on top
+  const PointDrawing drawing(canvas, points);
   return drawn;
 }
 

@@ -54,7 +54,4 @@ class HeaderCursor {
   std::optional<ModelError> error_;
 };
 
-/// Whether the bytes are UTF-8: shortest forms only, no surrogates, up to U+10FFFF (RFC 3629).
-[[nodiscard]] bool IsUtf8(std::string_view text) noexcept;
-
 }  // namespace handcraft::runtime

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <string_view>
 
+#include "lib/core/utf8.h"
 #include "lib/runtime/content_reader.h"
 
 namespace handcraft::runtime {
@@ -57,6 +59,12 @@ bool CheckColumnNames(ContentReader& reader, std::size_t num_features) {
   std::vector<std::uint8_t> names;
   if (!reader.Read("column_names", {kAnyLength}, names)) return false;
   const auto num_names = static_cast<std::size_t>(std::count(names.begin(), names.end(), '\n')) + 1;
+  const std::string_view text(reinterpret_cast<const char*>(names.data()), names.size());
+  if (const std::size_t good = Utf8PrefixLength(text); good < text.size()) {
+    return reader.Fail(MakeError(HC_ERROR_CONTENT,
+                                 reader.OffsetOf("column_names") + good,
+                                 "the tensor 'column_names' is not UTF-8 here"));
+  }
   if (num_names == num_features) return true;
   return reader.Fail(MakeError(HC_ERROR_CONTENT,
                                reader.OffsetOf("column_names"),

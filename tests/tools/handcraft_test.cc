@@ -100,6 +100,20 @@ TEST(RunHandcraft, NamesAWrongCommandAndTheRightOnes) {
                     HasSubstr("Try 'handcraft --help'.")));
 }
 
+// What "$OUT" gives when OUT was not set.
+TEST(RunHandcraft, RefusesAnEmptyPath) {
+  for (const char* line : {"train logistic t.csv --label y --out ''",
+                           "train grasp-points d --out ''",
+                           "predict m p --out ''",
+                           "evaluate m d --html ''",
+                           "data import cornell d --out ''"}) {
+    const Outcome outcome = RunLine(line);
+    EXPECT_EQ(outcome.code, 2) << line;
+    EXPECT_THAT(outcome.err, HasSubstr(": an empty path was given")) << line;
+  }
+  EXPECT_THAT(RunLine("data info ''").err, HasSubstr("DIR: an empty path was given"));
+}
+
 TEST(RunHandcraft, AsksForTheMissingCommand) {
   EXPECT_EQ(RunLine("").code, 2);
   EXPECT_THAT(RunLine("").err, HasSubstr("a command is missing; there are: data, "));

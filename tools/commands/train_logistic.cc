@@ -8,12 +8,14 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "datasets/formats/table.h"
+#include "lib/core/error.h"
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
 #include "lib/core/sha256.h"
@@ -132,7 +134,13 @@ logistic::Result Train(const TrainLogisticOptions& options,
                                               .num_samples = table.num_rows,
                                               .num_features = table.columns.size(),
                                               .stride = table.columns.size()};
-  return logistic::TrainLogistic<double>(matrix, labels.values, logistic);
+  try {
+    return logistic::TrainLogistic<double>(matrix, labels.values, logistic);
+  } catch (const Error& error) {  // the trainer knows no file
+    Error::Details details = error.details();
+    if (details.path.empty()) details.path = options.table;
+    throw Error(std::move(details));
+  }
 }
 
 // The summary is printed before RequireUsable throws: it is what shows why there is no model.

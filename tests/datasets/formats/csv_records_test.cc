@@ -76,8 +76,16 @@ TEST(CsvRecords, NamesTheLineOfABadQuote) {
 }
 
 // Law: what CsvField writes, CsvRecords reads.
+// Latin-1, UTF-16 and binary files, with the line of the first byte that is not UTF-8.
+TEST(CsvRecords, RefusesWhatIsNotUtf8) {
+  const std::string reason = "not UTF-8 text: a byte that cannot stand there";
+  EXPECT_THROWS_MESSAGE(Parse("a,b\n1,2\ngr\xF6\xDF,3\n"), Error, HasSubstr(":3: " + reason));
+  EXPECT_THROWS_MESSAGE(Parse(std::string("\xFF\xFE") + "a"), Error, HasSubstr(":1: " + reason));
+  EXPECT_THROWS_MESSAGE(Parse(std::string("a\0b", 3)), Error, HasSubstr(":1: " + reason));
+}
+
 TEST(CsvField, ComesBackUnchanged) {
-  constexpr std::string_view kAlphabet = "ab,\"\r\n \xC3\xA9";
+  const std::vector<std::string> alphabet = {"a", "b", ",", "\"", "\r", "\n", " ", "é"};
   Rng rng(5);
   for (int round = 0; round < 200; ++round) {
     std::vector<Record> records(3, Record(2));
@@ -85,7 +93,7 @@ TEST(CsvField, ComesBackUnchanged) {
     for (Record& record : records) {
       for (std::string& field : record) {
         for (std::uint64_t length = rng.UniformInt(6); length > 0; --length) {
-          field += kAlphabet[rng.UniformInt(kAlphabet.size())];
+          field += alphabet[rng.UniformInt(alphabet.size())];
         }
       }
       record.back() += '.';  // a record of empty fields alone cannot be told from an empty line

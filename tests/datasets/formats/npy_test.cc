@@ -120,10 +120,14 @@ TEST(ReadNpy, SurvivesHostileHeaders) {
                         Error,
                         HasSubstr("beyond all bounds"));
   EXPECT_THROWS_MESSAGE(
-      ReadText(NpyFile("{'descr': '', 'fortran_order': False, 'shape': (1, 1)", 8)),
+      ReadText(NpyFile("{'descr': '', 'fortran_order': False, 'shape': (1, 1)}", 8)),
       Error,
       HasSubstr("type ''"));
   EXPECT_EQ(ReadText(NpyFile("{'descr':'<f8','fortran_order':False,'shape':(1,1)}", 8)).rows, 1U);
+  const std::string front = "{'descr': '<f8', 'fortran_order': False, 'shape': ";
+  for (const char* shape : {"(-1, 1)", "(1, +1)", "(1.0, 1)", "(1, 1"}) {
+    EXPECT_THROWS_MESSAGE(ReadText(NpyFile(front + shape, 8)), Error, HasSubstr("an NPY shape "));
+  }
 }
 
 // Law: a damaged file is an Error or a matrix, never another exception.

@@ -42,6 +42,15 @@ TEST(ReadTable, ReadsCsvWithALabelInTheMiddle) {
   EXPECT_THAT(table.labels, ElementsAre("cat", "a dog"));
 }
 
+TEST(ReadTable, PassesOverWhatIsNotWanted) {
+  const testing::TemporaryDirectory folder;
+  WriteFileAtomically(folder / "t.csv", "id,x,kind,y\nfirst,1,a,\nnan,2,b,?\n");
+  const Table table = ReadTable(folder / "t.csv", "kind", {"x", "z"});
+  EXPECT_THAT(table.columns, ElementsAre("x"));
+  EXPECT_THAT(table.values, ElementsAre(1, 2));
+  EXPECT_THAT(table.labels, ElementsAre("a", "b"));
+}
+
 TEST(ReadTable, ReadsFeaturesAlone) {
   const Table table = ReadText("x,y\n1,2\n");
   EXPECT_THAT(table.columns, ElementsAre("x", "y"));

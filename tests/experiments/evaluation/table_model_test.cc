@@ -63,6 +63,11 @@ TEST_F(TableModelTest, TakesItsColumnsWhereverTheyStand) {
   EXPECT_THAT(table.labels, ElementsAre("yes", "no"));
 }
 
+TEST_F(TableModelTest, PassesOverColumnsItDoesNotRead) {
+  EXPECT_THAT(Read("id,a,b\nfirst,1,3\n,2,4\n").values, ElementsAre(3, 1, 4, 2));
+  EXPECT_THROWS_MESSAGE(Read("id,y\nfirst,x\n"), Error, HasSubstr("not there: 'b', 'a'"));
+}
+
 TEST_F(TableModelTest, DoesWithoutLabels) {
   const datasets::Table table = Read("a,b\n1,3\n");
   EXPECT_THAT(table.values, ElementsAre(3, 1));

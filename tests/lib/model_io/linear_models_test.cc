@@ -65,6 +65,9 @@ TEST(MakeLogisticModel, RefusesNamesThatCannotBeToldApartLater) {
                           Error,
                           HasSubstr("the name of column 2 is empty or has a line break"));
   }
+  EXPECT_THROWS_MESSAGE(MakeLogisticModel({"a", "\xE9"}, "l", "0", "1", linear, Provenance{}),
+                        Error,
+                        HasSubstr("the name of column 2 is not UTF-8"));
 }
 
 TEST(MakeLogisticModel, RefusesSizesThatDoNotFit) {

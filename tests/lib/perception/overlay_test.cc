@@ -61,14 +61,39 @@ TEST(DrawGraspPoints, DrawsAtCornersOutsideAndOnTinyPictures) {
   EXPECT_EQ(DrawGraspPoints(Image(1, 1, 1), {}, points).width(), 1);
 }
 
-TEST(DrawGraspPoints, WritesTheRankOfAPointAtTheRightEdgeInside) {
-  const std::vector<MarkedPoint> points = {{99, 50, 1.0F}};
-  const Image drawn = DrawGraspPoints(Image(100, 100, 1, 0), {}, points);
+// Green pixels outside the circles, which reach 7 px from their centres.
+int CountRankPixels(const Image& drawn, const std::vector<MarkedPoint>& points) {
   int bright = 0;
-  for (int v = 35; v < 45; ++v) {
-    for (int u = 85; u < 100; ++u) bright += drawn.At(u, v, 1) > 60 ? 1 : 0;
+  for (int v = 0; v < drawn.height(); ++v) {
+    for (int u = 0; u < drawn.width(); ++u) {
+      const bool is_circle = std::any_of(points.begin(), points.end(), [&](const auto& point) {
+        return std::hypot(u - point.u_px, v - point.v_px) <= 7.5;
+      });
+      if (!is_circle && drawn.At(u, v, 1) > 60) ++bright;
+    }
   }
-  EXPECT_GT(bright, 3);
+  return bright;
+}
+
+TEST(DrawGraspPoints, WritesTheRankInsideThePicture) {
+  for (const MarkedPoint point :
+       {MarkedPoint{99, 50}, MarkedPoint{0, 50}, MarkedPoint{50, 0}, MarkedPoint{99, 99}}) {
+    const std::vector<MarkedPoint> points = {point};
+    const Image drawn = DrawGraspPoints(Image(100, 100, 1, 0), {}, points);
+    EXPECT_GT(CountRankPixels(drawn, points), 3) << point.u_px << ' ' << point.v_px;
+  }
+}
+
+// Neighbours push a number aside; a point shut in by others has none.
+TEST(DrawGraspPoints, WritesNoRankOverACircle) {
+  std::vector<MarkedPoint> points = {{50, 50, 1.0F}};
+  const Image alone = DrawGraspPoints(Image(100, 100, 1, 0), {}, points);
+  for (int v = 0; v <= 100; v += 10) {
+    for (int u = 0; u <= 100; u += 10) points.push_back({u, v, 0.5F});
+  }
+  const Image crowded = DrawGraspPoints(Image(100, 100, 1, 0), {}, points);
+  EXPECT_GT(CountRankPixels(alone, {points.front()}), 3);
+  EXPECT_EQ(CountRankPixels(crowded, points), 0);
 }
 
 TEST(DrawGraspPoints, RefusesAMapOfAnotherSize) {

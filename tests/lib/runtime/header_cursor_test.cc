@@ -155,34 +155,5 @@ TEST(HeaderCursor, AllowsNoMorePaddingThanAlignmentTakes) {
   ExpectError(cursor, kOffset, "ends in 64 spaces where fewer than 64 were expected");
 }
 
-// Examples of RFC 3629 and of "UTF-8 decoder capability and stress test" (M. Kuhn).
-TEST(IsUtf8, TellsGoodFromBad) {
-  for (const std::string_view good : {"",
-                                      "a",
-                                      "\xC2\x80",
-                                      "\xE0\xA0\x80",
-                                      "\xED\x9F\xBF",
-                                      "\xEF\xBF\xBF",
-                                      "\xF0\x90\x80\x80",
-                                      "\xF4\x8F\xBF\xBF"}) {
-    EXPECT_TRUE(IsUtf8(good));
-  }
-  for (const std::string_view bad : {"\x80",
-                                     "\xC0\x80",
-                                     "\xC1\xBF",
-                                     "\xC2",
-                                     "\xC2g",
-                                     "\xE0\x9F\xBF",
-                                     "\xED\xA0\x80",
-                                     "\xE2\x82",
-                                     "\xF0\x8F\xBF\xBF",
-                                     "\xF4\x90\x80\x80",
-                                     "\xF5\x80\x80\x80",
-                                     "\xFF",
-                                     "\xF0\x90\x80g"}) {
-    EXPECT_FALSE(IsUtf8(bad));
-  }
-}
-
 }  // namespace
 }  // namespace handcraft::runtime

@@ -84,6 +84,11 @@ TEST(LoadLogisticModel, RefusesContradictions) {
       "the tensor 'column_names' holds 3 names for 2 weights");
   ExpectRefused(
       [](ModelFile& model) {
+        model.tensors["column_names"] = {std::vector<std::uint8_t>{'a', '\n', 0xE9}, {3}};
+      },
+      "the tensor 'column_names' is not UTF-8 here");
+  ExpectRefused(
+      [](ModelFile& model) {
         model.tensors["weights"] = {std::vector<double>{1, 2, 3}, {3}};
       },
       "the tensor 'feature_mean' is F64[2] where F64[3] was expected");

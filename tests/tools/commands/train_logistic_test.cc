@@ -196,6 +196,15 @@ TEST(TrainLogistic, RefusesWrongTables) {
   }
 }
 
+TEST(TrainLogistic, NamesTheFileThatTheTrainerRefuses) {
+  const TemporaryDirectory folder;
+  WriteFileAtomically(folder / "huge.csv", "x,y\n0,0\n1e300,1\n1,0\n2,1\n");
+  const Outcome outcome =
+      RunLine("train logistic " + (folder / "huge.csv").string() + " --label y");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("huge.csv: column 0 (counted from 0) has a spread"));
+}
+
 TEST(TrainLogistic, RefusesAPlaceItCannotWriteTo) {
   const TemporaryDirectory folder;
   testing::WriteTable(folder / "t.csv");
