@@ -15,6 +15,9 @@ namespace handcraft::datasets {
 CsvRecords::CsvRecords(std::filesystem::path path)
     : path_(std::move(path)), text_(ReadTextFile(path_)) {
   if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
+}
+
+void CsvRecords::RequireUtf8() const {
   const std::size_t good = std::min(Utf8PrefixLength(text_), text_.find('\0'));
   if (good >= text_.size()) return;
   const auto line_ends =

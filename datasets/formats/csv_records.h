@@ -16,11 +16,14 @@ namespace handcraft::datasets {
 /// and empty lines are skipped. Source: RFC 4180.
 class CsvRecords {
  public:
-  /// Reads the whole file. Throws Error when it cannot, and with the line when it is not UTF-8
-  /// (Latin-1 letters, UTF-16, a file of another kind).
+  /// Reads the whole file. Throws Error when it cannot.
   explicit CsvRecords(std::filesystem::path path);
   CsvRecords(const CsvRecords&) = delete;
   CsvRecords& operator=(const CsvRecords&) = delete;
+
+  /// Throws Error with the line when the file is not UTF-8 text: Latin-1 letters, UTF-16, another
+  /// kind of file. Before the first Next. (A manifest may hold any bytes: names of files do.)
+  void RequireUtf8() const;
 
   /// Moves to the next record; false at the end of the file. The fields stay valid as long as the
   /// object lives. Throws Error with the line when a quote is not closed or closed in mid-field.

@@ -108,6 +108,7 @@ Table ReadCsvTable(const fs::path& path,
                    const std::string& label_column,
                    const std::vector<std::string>& wanted) {
   CsvRecords records(path);
+  records.RequireUtf8();
   std::vector<std::string_view> fields;
   if (!records.Next(fields)) throw Error({.path = path.string(), .reason = "the file is empty"});
   const std::vector<std::string> names = ReadColumnNames(records, fields);

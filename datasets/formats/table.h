@@ -25,8 +25,9 @@ struct Table {
 /// Fortran order; columns are named "0", "1", …; `label_column` is then a number, −1 the last one).
 /// An empty label_column reads features alone. Throws Error with line (CSV) or byte (NPY): ragged
 /// rows, text where a number is due, NaN and infinities, a label column that does not exist (the
-/// ones that do are listed). With `wanted`, columns of a CSV file that are neither among these names
-/// nor the label are passed over, whatever they hold; those that are missing are not missed here.
+/// ones that do are listed). With `wanted`, columns of a CSV file that are neither among these
+/// names nor the label are passed over, whatever they hold; those that are missing are not missed
+/// here.
 [[nodiscard]] Table ReadTable(const std::filesystem::path& path,
                               const std::string& label_column,
                               const std::vector<std::string>& wanted = {});

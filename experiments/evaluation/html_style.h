@@ -43,7 +43,7 @@ p { margin: .3rem 0 .9rem; max-width: 46rem; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; width: 100%; font-size: .92rem; font-variant-numeric: tabular-nums; }
 th { font-weight: 600; text-align: left; color: var(--quiet); font-size: .82rem; vertical-align: bottom; }
-th, td { padding: .5rem .7rem; border-bottom: 1px solid var(--line); white-space: nowrap; }
+th, td { padding: .5rem .6rem; border-bottom: 1px solid var(--line); white-space: nowrap; }
 td { vertical-align: top; }
 td.number, th.number { text-align: right; }
 td .range { display: block; color: var(--quiet); font-size: .82rem; }

@@ -76,14 +76,6 @@ TEST(CsvRecords, NamesTheLineOfABadQuote) {
 }
 
 // Law: what CsvField writes, CsvRecords reads.
-// Latin-1, UTF-16 and binary files, with the line of the first byte that is not UTF-8.
-TEST(CsvRecords, RefusesWhatIsNotUtf8) {
-  const std::string reason = "not UTF-8 text: a byte that cannot stand there";
-  EXPECT_THROWS_MESSAGE(Parse("a,b\n1,2\ngr\xF6\xDF,3\n"), Error, HasSubstr(":3: " + reason));
-  EXPECT_THROWS_MESSAGE(Parse(std::string("\xFF\xFE") + "a"), Error, HasSubstr(":1: " + reason));
-  EXPECT_THROWS_MESSAGE(Parse(std::string("a\0b", 3)), Error, HasSubstr(":1: " + reason));
-}
-
 TEST(CsvField, ComesBackUnchanged) {
   const std::vector<std::string> alphabet = {"a", "b", ",", "\"", "\r", "\n", " ", "é"};
   Rng rng(5);

@@ -51,6 +51,14 @@ TEST(ReadTable, PassesOverWhatIsNotWanted) {
   EXPECT_THAT(table.labels, ElementsAre("a", "b"));
 }
 
+// Latin-1, UTF-16 and binary files, with the line of the first byte that is not UTF-8.
+TEST(ReadTable, RefusesWhatIsNotUtf8) {
+  const std::string reason = "not UTF-8 text: a byte that cannot stand there";
+  EXPECT_THROWS_MESSAGE(ReadText("a,b\n1,2\ngr\xF6\xDF,3\n"), Error, HasSubstr(":3: " + reason));
+  EXPECT_THROWS_MESSAGE(ReadText(std::string("\xFF\xFE") + "a"), Error, HasSubstr(":1: " + reason));
+  EXPECT_THROWS_MESSAGE(ReadText(std::string("a\0b", 3)), Error, HasSubstr(":1: " + reason));
+}
+
 TEST(ReadTable, ReadsFeaturesAlone) {
   const Table table = ReadText("x,y\n1,2\n");
   EXPECT_THAT(table.columns, ElementsAre("x", "y"));
