@@ -32,6 +32,21 @@ CLI::App& AddGroup(CLI::App& parent, const std::string& name, const std::string&
   return *group;
 }
 
+// An empty path is never meant: it is what "$OUT" gives when OUT was not set.
+void RefuseEmptyPaths(CLI::App& app) {
+  const CLI::Validator not_empty(
+      [](const std::string& text) {
+        return text.empty() ? std::string("an empty path was given") : std::string();
+      },
+      "");
+  for (CLI::Option* option : app.get_options()) {
+    const std::string type = option->get_type_name();
+    const bool is_path = option->get_positional() || type == "FILE" || type == "DIR";
+    if (is_path) option->check(not_empty);
+  }
+  for (CLI::App* command : app.get_subcommands({})) RefuseEmptyPaths(*command);
+}
+
 void AddCommands(CLI::App& app, const Console& console) {
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string("handcraft ") + hc_version());
@@ -52,6 +67,7 @@ void AddCommands(CLI::App& app, const Console& console) {
   AddInspect(app, console);
   AddCheckModel(app, console);
   AddBench(app, console);
+  RefuseEmptyPaths(app);
 }
 
 // The innermost command that was named.
