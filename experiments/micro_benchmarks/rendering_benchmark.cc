@@ -25,6 +25,7 @@ std::vector<Scene> DrawScenes() {
     for (const synthetic::ObjectClass& kind : synthetic::ClassesOf(synthetic::Family::kTrained)) {
       Rng rng = Rng::Stream(1, kind.name, round);
       std::vector<synthetic::Object> targets;
+      targets.reserve(static_cast<std::size_t>(kind.num_objects));
       for (int i = 0; i < kind.num_objects; ++i) targets.push_back(kind.draw(rng));
       scenes.push_back(synthetic::DrawScene(targets, rng));
     }

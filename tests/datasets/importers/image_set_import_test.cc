@@ -156,7 +156,9 @@ TEST(ImportPictures, WritesEmbeddedPictures) {
   SourceSet source = MakeSource(folder.path(), {"a"});
   const std::vector<std::uint8_t> bytes = ReadFile(source.pictures[0].path);
   source.pictures[0].path = folder / "source/a.json";
-  source.pictures[0].embedded = [&bytes]() -> std::vector<std::uint8_t> { return {bytes}; };
+  source.pictures[0].embedded = [&bytes] {
+    return std::vector<std::uint8_t>(bytes.begin(), bytes.end());
+  };
   ImportPictures(source, folder / "out", {});
   EXPECT_EQ(ReadFile(folder / "out/images/a.png"), bytes);
   source.pictures[0].embedded = [] { return std::vector<std::uint8_t>{1, 2, 3}; };

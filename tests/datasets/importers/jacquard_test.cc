@@ -79,14 +79,14 @@ TEST(ReadJacquardGrasps, LeavesOutWhatHasNoArea) {
 
 TEST(ReadJacquardGrasps, NamesTheLine) {
   for (const std::string line : {"1;2;3;4",
-                                  "1;2;3;4;5;6",
-                                  "1,2,3,4,5",
-                                  "1;2;x;4;5",
-                                  "1;2;nan;4;5",
-                                  "1;2;3;inf;5",
-                                  "1;2;3;4;1e9",
-                                  ";;;;",
-                                  "1;2;3;4;5 px"}) {
+                                 "1;2;3;4;5;6",
+                                 "1,2,3,4,5",
+                                 "1;2;x;4;5",
+                                 "1;2;nan;4;5",
+                                 "1;2;3;inf;5",
+                                 "1;2;3;4;1e9",
+                                 ";;;;",
+                                 "1;2;3;4;5 px"}) {
     EXPECT_THROWS_MESSAGE(ReadText("1;2;3;4;5\n" + line),
                           Error,
                           AllOf(HasSubstr("grasps.txt:2: '" + line + "' where a grasp")));
