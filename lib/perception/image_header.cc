@@ -18,6 +18,7 @@ using Bytes = std::span<const std::uint8_t>;
 struct File {
   const std::filesystem::path& path;
   Bytes bytes;
+  ChannelBits due = ChannelBits::k8;
 
   [[noreturn]] void Fail(std::size_t byte, std::string reason, std::string remedy = {}) const {
     throw Error({.path = path.string(),
@@ -45,11 +46,12 @@ struct File {
   }
 
   void CheckDepth(std::size_t byte, std::string_view format, std::uint32_t bits) const {
-    if (bits <= 8) return;
+    if (due == ChannelBits::k8 ? bits <= 8 : bits == 16) return;
+    const std::string wanted = due == ChannelBits::k8 ? "8" : "16";
     Fail(byte,
-         "a " + std::string(format) + " of " + std::to_string(bits) +
-             " bits a channel; 8 bits are due",
-         "convert it to 8 bits a channel");
+         "a " + std::string(format) + " of " + std::to_string(bits) + " bits a channel; " + wanted +
+             " bits are due",
+         "convert it to " + wanted + " bits a channel");
   }
 
   void CheckSize(std::size_t byte, std::int64_t width, std::int64_t height) const {
@@ -185,6 +187,7 @@ ImageHeader ReadJpeg(const File& file) {
 
 ImageHeader ReadBmp(const File& file) {
   const std::uint32_t header_size = file.LittleEndian(14, 4);
+  file.CheckDepth(28, "BMP", 8);
   if (header_size < 40 || header_size > 124) {
     file.Fail(14, "a BMP of an unusual kind or a damaged one", "convert it to PNG");
   }
@@ -232,10 +235,15 @@ ImageHeader ReadPnm(const File& file) {
   const std::int64_t max_value = ReadPnmNumber(file, at);
   file.CheckSize(2, width, height);
   file.CheckDepth(at, gray ? "PGM" : "PPM", max_value > 255 ? 16 : 8);
-  if (max_value != 255) {
-    file.Fail(at, "a largest value of " + std::to_string(max_value) + "; 255 is due");
+  const int due_value = file.due == ChannelBits::k8 ? 255 : 65535;
+  if (max_value != due_value) {
+    file.Fail(at,
+              "a largest value of " + std::to_string(max_value) + "; " + std::to_string(due_value) +
+                  " is due");
   }
-  file.CheckLength(at + 1 + static_cast<std::uint64_t>(width * height * (gray ? 1 : 3)));
+  const std::int64_t value_bytes = file.due == ChannelBits::k8 ? 1 : 2;
+  file.CheckLength(at + 1 +
+                   static_cast<std::uint64_t>(width * height * (gray ? 1 : 3) * value_bytes));
   return {gray ? "PGM" : "PPM", static_cast<int>(width), static_cast<int>(height), gray};
 }
 
@@ -268,16 +276,18 @@ std::string_view NameOfOtherFormat(Bytes bytes) {
 }  // namespace
 
 ImageHeader ReadImageHeader(const std::filesystem::path& path,
-                            std::span<const std::uint8_t> bytes) {
-  const File file{path, bytes};
+                            std::span<const std::uint8_t> bytes,
+                            ChannelBits due) {
+  const File file{path, bytes, due};
   if (bytes.empty()) throw Error({.path = path.string(), .reason = "the file is empty"});
   if (StartsWith(bytes, "\x89PNG\r\n\x1A\n")) return ReadPng(file);
   if (StartsWith(bytes, "\xFF\xD8\xFF")) return ReadJpeg(file);
   if (StartsWith(bytes, "BM")) return ReadBmp(file);
   if (StartsWith(bytes, "P5") || StartsWith(bytes, "P6")) return ReadPnm(file);
   throw Error({.path = path.string(),
-               .reason = std::string(NameOfOtherFormat(bytes)) +
-                         "; an 8-bit PNG, JPEG, BMP, PGM or PPM is due",
+               .reason = std::string(NameOfOtherFormat(bytes)) + "; " +
+                         (due == ChannelBits::k8 ? "an 8-bit PNG, JPEG, BMP, PGM or PPM is due"
+                                                 : "a 16-bit PNG or PGM is due"),
                .remedy = "convert it, for example to PNG"});
 }
 

@@ -28,11 +28,12 @@ void SilenceOpenCv() {
 
 cv::Mat Decode(const std::filesystem::path& path,
                const std::vector<std::uint8_t>& bytes,
-               const ImageHeader& header) {
+               const ImageHeader& header,
+               int flags) {
   SilenceOpenCv();
   cv::Mat pixels;
   try {
-    pixels = cv::imdecode(bytes, header.gray ? cv::IMREAD_GRAYSCALE : cv::IMREAD_ANYCOLOR);
+    pixels = cv::imdecode(bytes, flags);
   } catch (const cv::Exception& exception) {
     throw Error({.path = path.string(), .reason = "cannot be decoded: " + exception.err});
   }
@@ -41,13 +42,12 @@ cv::Mat Decode(const std::filesystem::path& path,
                  .reason = "a damaged " + std::string(header.format) + " that cannot be decoded",
                  .remedy = "copy it again from its source"});
   }
-  HC_CHECK(pixels.depth() == CV_8U && (pixels.channels() == 1 || pixels.channels() == 3),
-           pixels.type());
   return pixels;
 }
 
-Image ToImage(const cv::Mat& pixels) {
-  Image image(pixels.cols, pixels.rows, pixels.channels());
+template <class T>
+BasicImage<T> ToImage(const cv::Mat& pixels) {
+  BasicImage<T> image(pixels.cols, pixels.rows, pixels.channels());
   const std::size_t row_bytes = static_cast<std::size_t>(pixels.cols) * pixels.elemSize();
   for (int v = 0; v < pixels.rows; ++v) std::memcpy(image.Row(v), pixels.ptr(v), row_bytes);
   return image;
@@ -71,13 +71,30 @@ void EncodePng(const std::filesystem::path& path, const BasicImage<T>& image, in
 
 Image ReadImage(const std::filesystem::path& path, Channels channels) {
   const std::vector<std::uint8_t> bytes = ReadFile(path);
-  const cv::Mat pixels = Decode(path, bytes, ReadImageHeader(path, bytes));
+  const ImageHeader header = ReadImageHeader(path, bytes);
+  const cv::Mat pixels =
+      Decode(path, bytes, header, header.gray ? cv::IMREAD_GRAYSCALE : cv::IMREAD_ANYCOLOR);
+  HC_CHECK(pixels.depth() == CV_8U && (pixels.channels() == 1 || pixels.channels() == 3),
+           pixels.type());
   if (channels == Channels::kGray && pixels.channels() != 1) {
     throw Error({.path = path.string(),
                  .reason = "a colour picture where a gray one is due",
                  .remedy = "save it with one channel"});
   }
-  return ToImage(pixels);
+  return ToImage<std::uint8_t>(pixels);
+}
+
+BasicImage<std::uint16_t> ReadImage16(const std::filesystem::path& path) {
+  const std::vector<std::uint8_t> bytes = ReadFile(path);
+  const ImageHeader header = ReadImageHeader(path, bytes, ChannelBits::k16);
+  if (!header.gray) {
+    throw Error({.path = path.string(),
+                 .reason = "a colour picture where one of depths is due",
+                 .remedy = "save it with one channel of 16 bits"});
+  }
+  const cv::Mat pixels = Decode(path, bytes, header, cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH);
+  HC_CHECK(pixels.type() == CV_16U, pixels.type());
+  return ToImage<std::uint16_t>(pixels);
 }
 
 void WritePng(const std::filesystem::path& path, const Image& image) {

@@ -22,6 +22,10 @@ enum class Channels {
 [[nodiscard]] Image ReadImage(const std::filesystem::path& path,
                               Channels channels = Channels::kAsStored);
 
+/// Reads a gray PNG or PGM of 16 bits, as depths are kept. Colour, other depths, empty and damaged
+/// files are refused: throws Error with the path and what was found.
+[[nodiscard]] BasicImage<std::uint16_t> ReadImage16(const std::filesystem::path& path);
+
 /// Writes a PNG (1 or 3 channels), replacing the file atomically. Throws Error. Same picture, same
 /// bytes.
 void WritePng(const std::filesystem::path& path, const Image& image);

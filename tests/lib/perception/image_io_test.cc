@@ -166,6 +166,43 @@ TEST(WritePng16, KeepsAllBits) {
   EXPECT_THROW(WritePng16("x.png", BasicImage<std::uint16_t>(2, 2, 3)), std::logic_error);
 }
 
+TEST(ReadImage16, ReadsWhatIsWritten) {
+  const testing::TemporaryDirectory folder;
+  BasicImage<std::uint16_t> depth(7, 5);
+  Rng rng(5);
+  for (int v = 0; v < 5; ++v) {
+    for (int u = 0; u < 7; ++u) depth.At(u, v) = static_cast<std::uint16_t>(rng.UniformInt(65536));
+  }
+  WritePng16(folder / "depth.png", depth);
+  EXPECT_EQ(ReadImage16(folder / "depth.png").values(), depth.values());
+
+  // PGM keeps the high byte first.
+  WriteFileAtomically(folder / "depth.pgm", std::string("P5 2 1 65535\n\x01\x02\xFF\x00", 17));
+  const BasicImage<std::uint16_t> pgm = ReadImage16(folder / "depth.pgm");
+  EXPECT_EQ(pgm.At(0, 0), 258);
+  EXPECT_EQ(pgm.At(1, 0), 65280);
+}
+
+TEST(ReadImage16, RefusesPicturesOfOtherKinds) {
+  const testing::TemporaryDirectory folder;
+  WritePng(folder / "8.png", Image(3, 2));
+  EXPECT_THROWS_MESSAGE(ReadImage16(folder / "8.png"),
+                        Error,
+                        HasSubstr("8.png at byte 24: a PNG of 8 bits a channel; 16 bits are due"));
+  cv::imwrite((folder / "colour.png").string(), cv::Mat(2, 3, CV_16UC3, cv::Scalar(1, 2, 3)));
+  EXPECT_THROWS_MESSAGE(ReadImage16(folder / "colour.png"), Error, HasSubstr("a colour picture"));
+  cv::imwrite((folder / "8.jpg").string(), cv::Mat(2, 3, CV_8U, cv::Scalar(1)));
+  EXPECT_THROWS_MESSAGE(ReadImage16(folder / "8.jpg"), Error, HasSubstr("16 bits are due"));
+  cv::imwrite((folder / "8.bmp").string(), cv::Mat(2, 3, CV_8U, cv::Scalar(1)));
+  EXPECT_THROWS_MESSAGE(ReadImage16(folder / "8.bmp"), Error, HasSubstr("16 bits are due"));
+  WriteFileAtomically(folder / "short.pgm", std::string("P5 2 1 65535\n\x01\x02\xFF", 16));
+  EXPECT_THROWS_MESSAGE(ReadImage16(folder / "short.pgm"), Error, HasSubstr("cut off"));
+  WriteFileAtomically(folder / "depth.tif", std::string("II*\0", 4));
+  EXPECT_THROWS_MESSAGE(ReadImage16(folder / "depth.tif"),
+                        Error,
+                        HasSubstr("a TIFF file; a 16-bit PNG or PGM is due"));
+}
+
 TEST(RawView, SeesTheSamePixels) {
   const Image gray = RandomImage(5, 4, 1, 1);
   EXPECT_EQ(RawView(gray).format, features::PixelFormat::kGray8);
