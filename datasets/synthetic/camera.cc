@@ -3,6 +3,12 @@
 
 #include "datasets/synthetic/camera.h"
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "lib/core/option_rules.h"
+
 namespace handcraft::synthetic {
 
 using Eigen::Vector3f;
@@ -15,6 +21,27 @@ Vector3f PinholeCamera::Ray(float u_px, float v_px) const {
 Eigen::Vector2f PinholeCamera::Project(const Vector3f& p_in_base) const {
   const Vector3f p = base_from_camera.inverse() * p_in_base;
   return {centre_u_px + focal_px * p.x() / p.z(), centre_v_px + focal_px * p.y() / p.z()};
+}
+
+void PinholeCamera::Validate() const {
+  constexpr int kLeastSidePx = 16;
+  constexpr int kMostSidePx = 4096;
+  const auto require_side = [](const std::string& field, int value) {
+    RequireOption(value >= kLeastSidePx && value <= kMostSidePx, field, value, "from 16 to 4096");
+  };
+  require_side("PinholeCamera.width_px", width_px);
+  require_side("PinholeCamera.height_px", height_px);
+  const auto most = 10.0F * static_cast<float>(std::max(width_px, height_px));
+  const std::string within = "up to ten times the longer side";
+  RequireOption(focal_px >= 1.0F && focal_px <= most,
+                "PinholeCamera.focal_px",
+                static_cast<double>(focal_px),
+                "1 or more, " + within);
+  const auto require_centre = [&](const std::string& field, float value) {
+    RequireOption(std::abs(value) <= most, field, static_cast<double>(value), within);
+  };
+  require_centre("PinholeCamera.centre_u_px", centre_u_px);
+  require_centre("PinholeCamera.centre_v_px", centre_v_px);
 }
 
 Eigen::Isometry3f LookAt(const Vector3f& from_m, const Vector3f& to_m, float roll_rad) {

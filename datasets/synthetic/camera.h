@@ -24,6 +24,10 @@ struct PinholeCamera {
   [[nodiscard]] Eigen::Vector3f Ray(float u_px, float v_px) const;
   /// Where a point in front of the camera is seen.
   [[nodiscard]] Eigen::Vector2f Project(const Eigen::Vector3f& p_in_base) const;
+
+  /// Throws Error(kUsage) naming field, value and rule when the intrinsics are of no camera: sides
+  /// from 16 to 4096 pixels, focal length and centre within ten times the longer side.
+  void Validate() const;
 };
 
 /// Pose of a camera that looks from one point to another, the picture's vertical along z, then

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "datasets/formats/labelled_image_set.h"
+#include "datasets/synthetic/camera.h"
 #include "datasets/synthetic/object_classes.h"
 #include "lib/core/progress.h"
 
@@ -22,9 +23,10 @@ enum class SetSize {
 struct GraspPointSetOptions {
   Family family = Family::kTrained;
   SetSize size = SetSize::kSmall;
-  int num_images = 0;        ///< spread evenly over the classes instead; 0: as `size` says
-  bool with_right = false;   ///< also the picture of a second camera, to the right of the first
-  float baseline_m = 0.12F;  ///< between the two cameras
+  int num_images = 0;         ///< spread evenly over the classes instead; 0: as `size` says
+  bool with_right = false;    ///< also the picture of a second camera, to the right of the first
+  float baseline_m = 0.12F;   ///< between the two cameras
+  PinholeCamera camera = {};  ///< its intrinsics; the pose is drawn for each picture
   std::uint64_t seed = 1;
   int num_threads = 1;  ///< changes no byte
   Progress progress = {};

@@ -3,15 +3,21 @@
 
 #include "datasets/synthetic/camera.h"
 
-#include <gtest/gtest.h>
+#include <cmath>
+#include <string>
 
+#include <gmock/gmock.h>
+
+#include "lib/core/error.h"
 #include "lib/core/rng.h"
+#include "tests/support/expect_throws_message.h"
 
 namespace handcraft::synthetic {
 namespace {
 
 using Eigen::Vector2f;
 using Eigen::Vector3f;
+using ::testing::HasSubstr;
 
 TEST(PinholeCamera, LooksAlongItsAxisThroughTheMiddleOfThePicture) {
   const PinholeCamera camera;
@@ -50,6 +56,20 @@ TEST(RightOf, ShiftsByTheDisparityOfTheDepth) {
   const Vector3f point = left.Origin() + 0.7F * left.Ray(200.0F, 100.0F);
   EXPECT_NEAR(right.Project(point).x(), 200.0F - 525.0F * 0.12F / 0.7F, 1e-2F);
   EXPECT_NEAR(right.Project(point).y(), 100.0F, 1e-2F);
+}
+
+TEST(PinholeCamera, RefusesIntrinsicsOfNoCamera) {
+  const auto refuses = [](PinholeCamera camera, const std::string& message) {
+    EXPECT_THROWS_MESSAGE(camera.Validate(), Error, HasSubstr(message));
+  };
+  EXPECT_NO_THROW(PinholeCamera().Validate());
+  refuses({.width_px = 15}, "PinholeCamera.width_px is 15; it must be from 16 to 4096");
+  refuses({.height_px = 5000}, "PinholeCamera.height_px is 5000");
+  refuses({.focal_px = 0.0F}, "PinholeCamera.focal_px is 0; it must be 1 or more");
+  refuses({.focal_px = std::nanf("")}, "PinholeCamera.focal_px is nan");
+  refuses({.centre_u_px = 6401.0F},
+          "PinholeCamera.centre_u_px is 6401; it must be up to ten times");
+  refuses({.centre_v_px = std::nanf("")}, "PinholeCamera.centre_v_px is nan");
 }
 
 }  // namespace

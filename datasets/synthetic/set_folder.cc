@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "datasets/synthetic/set_folder.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lib/core/error.h"
+#include "lib/core/file.h"
+
+namespace handcraft::synthetic {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kParametersName = "dataset.toml";
+constexpr std::array<std::string_view, 4> kWrittenEndings = {".png", ".toml", ".csv", ".pcd"};
+constexpr std::size_t kTemporaryEndingSize = 7;  // a dot and six letters, as mkstemp makes them
+
+// What a killed run may have left of a file that was being written.
+void RemoveTemporaryFiles(const fs::path& folder) {
+  std::vector<fs::path> left;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string ending = entry.path().extension().string();
+    const std::string inner = entry.path().stem().extension().string();
+    if (ending.size() == kTemporaryEndingSize &&
+        std::find(kWrittenEndings.begin(), kWrittenEndings.end(), inner) != kWrittenEndings.end()) {
+      left.push_back(entry.path());
+    }
+  }
+  for (const fs::path& path : left) fs::remove(path);
+}
+
+[[noreturn]] void RefuseFolder(const fs::path& path, std::string reason, std::string remedy) {
+  throw Error({.kind = Error::Kind::kUsage,
+               .path = path.string(),
+               .reason = std::move(reason),
+               .remedy = std::move(remedy)});
+}
+
+void MakeOrTakeUp(const fs::path& out,
+                  std::string_view parameters,
+                  std::span<const std::string_view> subfolders) {
+  const fs::path file = out / kParametersName;
+  if (fs::exists(out) && !fs::is_directory(out))
+    RefuseFolder(out, "is not a folder", "choose another name");
+  if (fs::exists(file)) {
+    if (ReadTextFile(file) != parameters) {
+      RefuseFolder(file, "tells of a set made with other options", "give those, or another folder");
+    }
+  } else if (fs::exists(out) && !fs::is_empty(out)) {
+    RefuseFolder(
+        out, "is there already and is not an empty folder", "remove it or choose another name");
+  }
+  fs::create_directory(out);
+  RemoveTemporaryFiles(out);
+  WriteFileAtomically(file, parameters);
+  for (const std::string_view folder : subfolders) {
+    fs::create_directory(out / folder);
+    RemoveTemporaryFiles(out / folder);
+  }
+}
+
+}  // namespace
+
+void PrepareSetFolder(const fs::path& out,
+                      std::string_view parameters,
+                      std::span<const std::string_view> subfolders) {
+  try {
+    MakeOrTakeUp(out, parameters, subfolders);
+  } catch (const fs::filesystem_error& error) {
+    throw Error(
+        {.path = out.string(), .reason = "cannot make the folder: " + error.code().message()});
+  }
+}
+
+}  // namespace handcraft::synthetic

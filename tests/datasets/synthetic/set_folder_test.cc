@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "datasets/synthetic/set_folder.h"
+
+#include <array>
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "lib/core/error.h"
+#include "lib/core/file.h"
+#include "tests/support/expect_throws_message.h"
+#include "tests/support/temporary_directory.h"
+
+namespace handcraft::synthetic {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using testing::TemporaryDirectory;
+
+constexpr std::array<std::string_view, 2> kFolders = {"images", "scenes"};
+
+TEST(PrepareSetFolder, MakesTheFolderAndTakesItUpAgain) {
+  const TemporaryDirectory folder;
+  PrepareSetFolder(folder / "set", "seed = 1\n", kFolders);
+  EXPECT_EQ(ReadTextFile(folder / "set/dataset.toml"), "seed = 1\n");
+  WriteFileAtomically(folder / "set/images/whole.png", "pixels");
+  PrepareSetFolder(folder / "set", "seed = 1\n", kFolders);
+  EXPECT_EQ(ReadTextFile(folder / "set/images/whole.png"), "pixels");
+  EXPECT_TRUE(fs::is_directory(folder / "set/scenes"));
+}
+
+TEST(PrepareSetFolder, RemovesWhatWasBeingWrittenAndNothingElse) {
+  const TemporaryDirectory folder;
+  PrepareSetFolder(folder / "set", "", kFolders);
+  const std::array<std::string, 4> half = {
+      "dataset.toml.aB3xYz", "images/a.png.aB3xYz", "images/a.pcd.000000", "scenes/a.toml.ZZZZZZ"};
+  const std::array<std::string, 3> kept = {
+      "images/a.png", "images/notes.aB3xYz", "images/a.png.old"};
+  for (const std::string& name : half) WriteFileAtomically(folder / "set" / name, "half");
+  for (const std::string& name : kept) WriteFileAtomically(folder / "set" / name, "whole");
+  PrepareSetFolder(folder / "set", "", kFolders);
+  for (const std::string& name : half) EXPECT_FALSE(fs::exists(folder / "set" / name)) << name;
+  for (const std::string& name : kept) EXPECT_TRUE(fs::exists(folder / "set" / name)) << name;
+}
+
+TEST(PrepareSetFolder, RefusesWhatIsNotItsOwn) {
+  const TemporaryDirectory folder;
+  const auto refuses = [&](const std::string& name, const std::string& message) {
+    EXPECT_THROWS_MESSAGE(
+        PrepareSetFolder(folder / name, "seed = 2\n", kFolders), Error, HasSubstr(message));
+  };
+  PrepareSetFolder(folder / "set", "seed = 1\n", kFolders);
+  refuses("set", "dataset.toml: tells of a set made with other options (give those");
+  EXPECT_EQ(ReadTextFile(folder / "set/dataset.toml"), "seed = 1\n");
+  WriteFileAtomically(folder / "file", "");
+  refuses("file", "file: is not a folder");
+  fs::create_directory(folder / "others");
+  WriteFileAtomically(folder / "others/mine", "precious");
+  refuses("others", "others: is there already and is not an empty folder");
+  refuses("no/set", "cannot make the folder: No such file");
+  EXPECT_FALSE(fs::exists(folder / "others/images"));
+}
+
+}  // namespace
+}  // namespace handcraft::synthetic
