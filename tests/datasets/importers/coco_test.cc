@@ -9,11 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "lib/core/error.h"
-#include "lib/core/file.h"
-#include "tests/datasets/small_image_set.h"
-#include "tests/support/expect_throws_message.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/datasets/importers/importer_test.h"
 
 namespace handcraft::datasets {
 namespace {
@@ -21,9 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 using ::testing::HasSubstr;
-using testing::NoiseImage;
 using ::testing::SizeIs;
-using testing::TemporaryDirectory;
 
 // Two pictures of 6 × 4: on the first the columns 1 and 2 are good, as a polygon.
 json Annotations() {
@@ -47,12 +41,11 @@ json Annotation(const json& segmentation, int category = 1, int is_crowd = 0) {
           {"segmentation", segmentation}};
 }
 
-class ListCocoTest : public ::testing::Test {
+class ListCocoTest : public ImporterTest {
  protected:
   void SetUp() override {
-    fs::create_directories(folder_ / "tree/mug");
-    perception::WritePng(folder_ / "tree/a.png", NoiseImage(6, 4, 3, 1));
-    perception::WritePng(folder_ / "tree/mug/b.png", NoiseImage(6, 4, 3, 2));
+    WriteImage("a.png", 6, 4);
+    WriteImage("mug/b.png", 6, 4);
   }
   [[nodiscard]] SourceSet List(const json& annotations, const CocoOptions& options = {}) const {
     WriteFileAtomically(file_, annotations.dump());
@@ -60,12 +53,7 @@ class ListCocoTest : public ::testing::Test {
   }
   [[nodiscard]] std::string Refusal(const json& annotations,
                                     const CocoOptions& options = {}) const {
-    try {
-      static_cast<void>(ImportPictures(List(annotations, options), folder_ / "out", {}));
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "(nothing was thrown)";
+    return RefusalOf([&] { return List(annotations, options); });
   }
   // Row by row, one letter a pixel: G good, . bad, - don't care.
   [[nodiscard]] std::string MaskOfSecond(const json& annotation,
@@ -80,12 +68,11 @@ class ListCocoTest : public ::testing::Test {
     return letters;
   }
 
-  TemporaryDirectory folder_;
-  fs::path file_ = folder_ / "tree/instances.json";
+  fs::path file_ = tree_ / "instances.json";
 };
 
 TEST_F(ListCocoTest, ReadsPolygons) {
-  const LabelledImageSet set = ImportPictures(List(Annotations()), folder_ / "out", {});
+  const LabelledImageSet set = ImportPictures(List(Annotations()), out_, {});
   ASSERT_THAT(set.items, SizeIs(2));
   EXPECT_EQ(set.items[1].image, "images/mug/b.png");
   EXPECT_EQ(set.items[1].mask, "masks/mug/b.png");
@@ -121,11 +108,11 @@ TEST_F(ListCocoTest, TakesCrowdsForDontCare) {
 }
 
 TEST_F(ListCocoTest, FindsPicturesInAnotherFolder) {
-  fs::rename(folder_ / "tree/mug/b.png", folder_ / "tree/mug/a.png");
+  fs::rename(tree_ / "mug/b.png", tree_ / "mug/a.png");
   json annotations = Annotations();
   annotations["images"].erase(1);
-  const SourceSet source = List(annotations, {.images = folder_ / "tree/mug"});
-  EXPECT_EQ(source.pictures.at(0).path, folder_ / "tree/mug/a.png");
+  const SourceSet source = List(annotations, {.images = tree_ / "mug"});
+  EXPECT_EQ(source.pictures.at(0).path, tree_ / "mug/a.png");
   EXPECT_THAT(Refusal(annotations, {.images = folder_ / "no"}),
               HasSubstr("the file name 'a.png' is no file below"));
 }

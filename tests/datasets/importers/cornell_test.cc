@@ -6,11 +6,7 @@
 #include <map>
 #include <string>
 
-#include "lib/core/error.h"
-#include "lib/core/file.h"
-#include "tests/datasets/small_image_set.h"
-#include "tests/support/expect_throws_message.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/datasets/importers/importer_test.h"
 
 namespace handcraft::datasets {
 namespace {
@@ -20,26 +16,24 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using testing::NoiseImage;
 using ::testing::SizeIs;
 using testing::TemporaryDirectory;
 
 constexpr std::string_view kRectangle = "4 4\n10 4\n10 8\n4 8\n";
 
-// A picture of 40 × 30 with one rectangle, both in `folder`.
-void AddCornellPicture(const fs::path& folder, const std::string& number) {
-  fs::create_directories(folder);
-  const auto seed = static_cast<std::uint64_t>(std::stoi(number));
-  perception::WritePng(folder / ("pcd" + number + "r.png"), NoiseImage(40, 30, 3, seed));
-  WriteFileAtomically(folder / ("pcd" + number + "cpos.txt"), kRectangle);
-}
-
-LabelledImageSet ImportCornell(const fs::path& tree,
-                               const fs::path& out,
-                               const CornellOptions& options = {},
-                               const ImportOptions& import = {}) {
-  return ImportPictures(ListCornell(tree, options), out, import);
-}
+class ImportCornellTest : public ImporterTest {
+ protected:
+  // A picture of 40 × 30 with one rectangle, both in `folder`.
+  void AddPicture(const fs::path& folder, const std::string& number) const {
+    WriteImage(folder / ("pcd" + number + "r.png"), 40, 30);
+    WriteText(folder / ("pcd" + number + "cpos.txt"), kRectangle);
+  }
+  [[nodiscard]] LabelledImageSet Import(const CornellOptions& options = {},
+                                        const ImportOptions& import = {}) const {
+    fs::remove_all(out_);
+    return ImportPictures(ListCornell(tree_, options), out_, import);
+  }
+};
 
 std::vector<std::string> NumbersOf(const LabelledImageSet& set, const std::string& split) {
   std::vector<std::string> numbers;
@@ -58,15 +52,13 @@ TEST(CornellOptions, HasTheDocumentedDefaults) {
   EXPECT_EQ(options.split_gap, 10);
 }
 
-TEST(ImportCornell, ReadsTheOriginalTree) {
-  const TemporaryDirectory folder;
-  const fs::path tree = folder / "cornell";
-  AddCornellPicture(tree / "01", "0100");
-  AddCornellPicture(tree / "02", "0250");
-  WriteFileAtomically(tree / "02/pcd0250cneg.txt", "0 0\r\n3 0\r\n3 3\r\n0 3\r\n");
-  WriteFileAtomically(tree / "01/pcd0100.txt", "a point cloud");
-  WriteFileAtomically(tree / "pcdb0002r.png", "a background, not read");
-  const LabelledImageSet set = ImportCornell(tree, folder / "out");
+TEST_F(ImportCornellTest, ReadsTheOriginalTree) {
+  AddPicture("01", "0100");
+  AddPicture("02", "0250");
+  WriteText("02/pcd0250cneg.txt", "0 0\r\n3 0\r\n3 3\r\n0 3\r\n");
+  WriteText("01/pcd0100.txt", "a point cloud");
+  WriteText("pcdb0002r.png", "a background, not read");
+  const LabelledImageSet set = Import();
 
   ASSERT_THAT(set.items, SizeIs(2));
   EXPECT_EQ(set.items[0].image, "images/pcd0100r.png");
@@ -75,91 +67,75 @@ TEST(ImportCornell, ReadsTheOriginalTree) {
   EXPECT_EQ(set.items[0].instance, "0100-0109");
   EXPECT_EQ(set.items[0].split, "train");
   EXPECT_EQ(set.items[1].split, "test");
-  EXPECT_EQ(ReadFile(folder / "out/images/pcd0250r.png"), ReadFile(tree / "02/pcd0250r.png"));
+  EXPECT_EQ(ReadFile(out_ / "images/pcd0250r.png"), ReadFile(tree_ / "02/pcd0250r.png"));
   const Image mask = ReadMask(set, 1);
   EXPECT_EQ(mask.At(7, 6), kMaskGood);
   EXPECT_EQ(mask.At(5, 6), kMaskDontCare) << "outer third";
   EXPECT_EQ(mask.At(12, 12), kMaskDontCare) << "margin";
   EXPECT_EQ(mask.At(1, 1), kMaskBad) << "negative rectangle inside the margin";
   EXPECT_EQ(mask.At(39, 29), kMaskBad);
-  EXPECT_THAT(FindFaults(ReadLabelledImageSet(folder / "out")), IsEmpty());
+  EXPECT_THAT(FindFaults(ReadLabelledImageSet(out_)), IsEmpty());
 }
 
-TEST(ImportCornell, ReadsImagesBesideRecoveredLabelsAndGraspTypes) {
-  const TemporaryDirectory folder;
-  const fs::path tree = folder / "cornell";
-  AddCornellPicture(tree / "images", "0100");
-  fs::create_directory(tree / "labels");
-  fs::rename(tree / "images/pcd0100cpos.txt", tree / "labels/pcd0100cpos_recovered.txt");
-  WriteFileAtomically(tree / "grasp_type.csv", "image,grasp_type\npcd0100r.png,2\n");
-  const LabelledImageSet set = ImportCornell(tree, folder / "out", {}, {.licence = "GPL-3.0"});
+TEST_F(ImportCornellTest, ReadsImagesBesideRecoveredLabelsAndGraspTypes) {
+  AddPicture("images", "0100");
+  fs::create_directories(tree_ / "labels");
+  fs::rename(tree_ / "images/pcd0100cpos.txt", tree_ / "labels/pcd0100cpos_recovered.txt");
+  WriteText("grasp_type.csv", "image,grasp_type\npcd0100r.png,2\n");
+  const LabelledImageSet set = Import({}, {.licence = "GPL-3.0"});
   ASSERT_THAT(set.items, SizeIs(1));
   EXPECT_EQ(set.items[0].object_class, "palmar_pinch");
   EXPECT_EQ(set.items[0].licence, "GPL-3.0");
   EXPECT_EQ(set.items[0].split, "train") << "a single instance is for training";
 }
 
-TEST(ImportCornell, SplitsByRangesOfNumbers) {
-  const TemporaryDirectory folder;
+TEST_F(ImportCornellTest, SplitsByRangesOfNumbers) {
   for (const char* number : {"0100", "0105", "0111", "0120", "0124", "0129", "0131"}) {
-    AddCornellPicture(folder / "cornell", number);
+    AddPicture("", number);
   }
-  const LabelledImageSet set =
-      ImportCornell(folder / "cornell", folder / "a", {.split_gap = 0}, {.test_share = 0.25});
+  const LabelledImageSet set = Import({.split_gap = 0}, {.test_share = 0.25});
   EXPECT_THAT(NumbersOf(set, "train"), ElementsAre("0100", "0105", "0111", "0120", "0124", "0129"));
   EXPECT_THAT(NumbersOf(set, "test"), ElementsAre("0131"));
   // 0129 and 0124 are within ten of 0131.
-  const LabelledImageSet apart =
-      ImportCornell(folder / "cornell", folder / "b", {}, {.test_share = 0.25});
+  const LabelledImageSet apart = Import({}, {.test_share = 0.25});
   EXPECT_THAT(NumbersOf(apart, "train"), ElementsAre("0100", "0105", "0111", "0120"));
-  const LabelledImageSet half =
-      ImportCornell(folder / "cornell", folder / "c", {.split_gap = 0}, {.test_share = 0.5});
+  const LabelledImageSet half = Import({.split_gap = 0}, {.test_share = 0.5});
   EXPECT_THAT(NumbersOf(half, "test"), ElementsAre("0120", "0124", "0129", "0131"));
-  const LabelledImageSet none =
-      ImportCornell(folder / "cornell", folder / "d", {}, {.test_share = 0.0});
+  const LabelledImageSet none = Import({}, {.test_share = 0.0});
   EXPECT_THAT(NumbersOf(none, "train"), SizeIs(7));
-  const LabelledImageSet single = ImportCornell(
-      folder / "cornell", folder / "e", {.instance_span = 1, .split_gap = 0}, {.test_share = 0.15});
+  const LabelledImageSet single =
+      Import({.instance_span = 1, .split_gap = 0}, {.test_share = 0.15});
   EXPECT_THAT(NumbersOf(single, "test"), ElementsAre("0131"));
   EXPECT_EQ(single.items[0].instance, "0100");
 }
 
-TEST(ImportCornell, LeavesOutPicturesWithoutUsableRectangles) {
-  const TemporaryDirectory folder;
-  AddCornellPicture(folder / "cornell", "0100");
-  AddCornellPicture(folder / "cornell", "0200");
-  AddCornellPicture(folder / "cornell", "0300");
-  WriteFileAtomically(folder / "cornell/pcd0200cpos.txt", "NaN NaN\nNaN 1\n2 3\n4 5\n");
-  fs::remove(folder / "cornell/pcd0300cpos.txt");
-  EXPECT_THAT(ImportCornell(folder / "cornell", folder / "out").items, SizeIs(1));
+TEST_F(ImportCornellTest, LeavesOutPicturesWithoutUsableRectangles) {
+  AddPicture("", "0100");
+  AddPicture("", "0200");
+  AddPicture("", "0300");
+  WriteText("pcd0200cpos.txt", "NaN NaN\nNaN 1\n2 3\n4 5\n");
+  fs::remove(tree_ / "pcd0300cpos.txt");
+  EXPECT_THAT(Import().items, SizeIs(1));
 }
 
-TEST(ImportCornell, SaysWhatWasExpectedAndFound) {
-  const TemporaryDirectory folder;
-  const fs::path tree = folder / "cornell";
-  EXPECT_THROWS_MESSAGE(
-      ImportCornell(tree, folder / "out"), Error, HasSubstr("cannot read the folder"));
-  AddCornellPicture(tree, "0100");
-  AddCornellPicture(tree, "0200");
-  fs::remove(tree / "pcd0100r.png");
-  fs::remove(tree / "pcd0200cpos.txt");
-  EXPECT_THROWS_MESSAGE(ImportCornell(tree, folder / "out"),
+TEST_F(ImportCornellTest, SaysWhatWasExpectedAndFound) {
+  EXPECT_THROWS_MESSAGE(Import(), Error, HasSubstr("cannot read the folder"));
+  AddPicture("", "0100");
+  AddPicture("", "0200");
+  fs::remove(tree_ / "pcd0100r.png");
+  fs::remove(tree_ / "pcd0200cpos.txt");
+  EXPECT_THROWS_MESSAGE(Import(),
                         Error,
                         AllOf(HasSubstr("no pcdNNNNr.png with grasp rectangles"),
                               HasSubstr("found 1 pictures and 1 files of rectangles")));
-  AddCornellPicture(tree / "01", "0200");
-  EXPECT_THROWS_MESSAGE(ImportCornell(tree, folder / "out"),
-                        Error,
-                        HasSubstr("pcd0200r.png: stands for the same picture as"));
+  AddPicture("01", "0200");
+  EXPECT_THROWS_MESSAGE(Import(), Error, HasSubstr("pcd0200r.png: stands for the same picture as"));
 }
 
-TEST(ImportCornell, RefusesAWrongGraspType) {
-  const TemporaryDirectory folder;
-  AddCornellPicture(folder / "cornell", "0100");
-  WriteFileAtomically(folder / "cornell/grasp_type.csv", "image,grasp_type\npcd0100r.png,6\n");
-  EXPECT_THROWS_MESSAGE(ImportCornell(folder / "cornell", folder / "out"),
-                        Error,
-                        HasSubstr("grasp_type.csv:2: grasp type '6'"));
+TEST_F(ImportCornellTest, RefusesAWrongGraspType) {
+  AddPicture("", "0100");
+  WriteText("grasp_type.csv", "image,grasp_type\npcd0100r.png,6\n");
+  EXPECT_THROWS_MESSAGE(Import(), Error, HasSubstr("grasp_type.csv:2: grasp type '6'"));
 }
 
 TEST(CornellOptions, NamesTheFieldAtFault) {
@@ -173,7 +149,7 @@ TEST(CornellOptions, NamesTheFieldAtFault) {
 }
 
 // The shipped sample is what the importer makes of the pictures it was made from.
-TEST(ImportCornell, MadeTheSampleSet) {
+TEST_F(ImportCornellTest, MadeTheSampleSet) {
   const fs::path sample = fs::path(HANDCRAFT_SOURCE_DIR) / "datasets/samples/cornell_mini";
   const LabelledImageSet set = ReadLabelledImageSet(sample);
   EXPECT_THAT(set.Only("train").items, SizeIs(16));
@@ -182,11 +158,10 @@ TEST(ImportCornell, MadeTheSampleSet) {
 
   const fs::path source = fs::path(HANDCRAFT_SOURCE_DIR) / "../shared/data/cornell_grasp";
   if (!fs::exists(source)) GTEST_SKIP() << "the full Cornell pictures are not at " << source;
-  const TemporaryDirectory folder;
-  const LabelledImageSet again = ImportCornell(
-      source, folder / "out", {}, {.max_images = 24, .licence = "GPL-3.0", .num_threads = 2});
+  const LabelledImageSet again = ImportPictures(
+      ListCornell(source, {}), out_, {.max_images = 24, .licence = "GPL-3.0", .num_threads = 2});
   EXPECT_EQ(Fingerprint(again), Fingerprint(set));
-  EXPECT_EQ(ReadFile(folder / "out/manifest.csv"), ReadFile(sample / "manifest.csv"));
+  EXPECT_EQ(ReadFile(out_ / "manifest.csv"), ReadFile(sample / "manifest.csv"));
 }
 
 }  // namespace

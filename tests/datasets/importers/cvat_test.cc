@@ -5,11 +5,7 @@
 
 #include <string>
 
-#include "lib/core/error.h"
-#include "lib/core/file.h"
-#include "tests/datasets/small_image_set.h"
-#include "tests/support/expect_throws_message.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/datasets/importers/importer_test.h"
 #include "tests/support/turned_jpeg.h"
 
 namespace handcraft::datasets {
@@ -18,25 +14,19 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using testing::NoiseImage;
 using ::testing::SizeIs;
-using testing::TemporaryDirectory;
 
 constexpr const char* kLabelMap =
     "# label:color_rgb:parts:actions\r\nbackground:0,0,0::\n\nhandle:250,50,83::\nblur:9,8,7::\n";
 
 // As CVAT writes it: two pictures of 3 × 1, their pixels background, handle, blur.
-class ListCvatTest : public ::testing::Test {
+class ListCvatTest : public ImporterTest {
  protected:
   void SetUp() override {
-    for (const char* name : {"JPEGImages/mug", "ImageSets/Segmentation", "SegmentationClass/mug"}) {
-      fs::create_directories(tree_ / name);
-    }
-    WriteFileAtomically(tree_ / "labelmap.txt", kLabelMap);
-    WriteFileAtomically(tree_ / "ImageSets/Segmentation/default.txt", "mug/b ü,\"\r\na\n");
+    WriteText("labelmap.txt", kLabelMap);
+    WriteText("ImageSets/Segmentation/default.txt", "mug/b ü,\"\r\na\n");
     for (const std::string name : {"a", "mug/b ü,\""}) {
-      perception::WritePng(tree_ / "JPEGImages" / (name + ".png"),
-                           NoiseImage(3, 1, 3, name.size()));
+      WriteImage("JPEGImages/" + name + ".png", 3, 1);
       WriteMask(name, {{0, 0, 0}, {83, 50, 250}, {7, 8, 9}});
     }
   }
@@ -50,19 +40,11 @@ class ListCvatTest : public ::testing::Test {
             colours[static_cast<std::size_t>(u)][static_cast<std::size_t>(channel)];
       }
     }
-    perception::WritePng(tree_ / "SegmentationClass" / (name + ".png"), mask);
+    WriteImage("SegmentationClass/" + name + ".png", mask);
   }
   [[nodiscard]] std::string Refusal(const CvatOptions& options = {.roles = {{"handle"}}}) const {
-    try {
-      static_cast<void>(ImportPictures(ListCvat(tree_, options), folder_ / "out", {}));
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "(nothing was thrown)";
+    return RefusalOf([&] { return ListCvat(tree_, options); });
   }
-
-  TemporaryDirectory folder_;
-  fs::path tree_ = folder_ / "cvat";
 };
 
 TEST_F(ListCvatTest, ReadsAnExport) {
@@ -72,18 +54,18 @@ TEST_F(ListCvatTest, ReadsAnExport) {
   EXPECT_EQ(source.pictures[1].mask, "mug/b ü,\".png");
   EXPECT_EQ(source.pictures[1].object_class, "mug");
   EXPECT_EQ(source.pictures[1].instance, "mug/b ü,\"");
-  const LabelledImageSet set = ImportPictures(source, folder_ / "out", {});
+  const LabelledImageSet set = ImportPictures(source, out_, {});
   EXPECT_EQ(ReadMask(set, 0).values(), (std::vector<std::uint8_t>{0, 255, 128}));
-  EXPECT_THAT(FindFaults(ReadLabelledImageSet(folder_ / "out")), IsEmpty());
+  EXPECT_THAT(FindFaults(ReadLabelledImageSet(out_)), IsEmpty());
 }
 
 TEST_F(ListCvatTest, TakesLabelsWithoutARoleAndBlackForBad) {
-  WriteFileAtomically(tree_ / "labelmap.txt", "handle:250,50,83::\nblur:9,8,7::");
+  WriteText("labelmap.txt", "handle:250,50,83::\nblur:9,8,7::");
   const SourceSet source = ListCvat(tree_, {.roles = {{"handle"}}});
   EXPECT_EQ(source.pictures[0].make_mask(3, 1).values(), (std::vector<std::uint8_t>{0, 255, 0}));
-  perception::WritePng(tree_ / "SegmentationClass/a.png", Image(3, 1));  // gray
+  WriteImage("SegmentationClass/a.png", Image(3, 1));  // gray
   EXPECT_EQ(source.pictures[0].make_mask(3, 1).values(), (std::vector<std::uint8_t>{0, 0, 0}));
-  WriteFileAtomically(tree_ / "labelmap.txt", "table:0,0,0::\nhandle:250,50,83::\nblur:9,8,7::");
+  WriteText("labelmap.txt", "table:0,0,0::\nhandle:250,50,83::\nblur:9,8,7::");
   EXPECT_EQ(ListCvat(tree_, {.roles = {.good = {"table"}}}).pictures[0].make_mask(3, 1).At(0, 0),
             255);
 }
@@ -103,12 +85,12 @@ TEST_F(ListCvatTest, RefusesAWrongTree) {
               HasSubstr("nothing is labelled 'good'; there are: 'background', 'blur'"));
   const std::string names = "ImageSets/Segmentation/default.txt";
   for (const char* name : {"../a", "/etc/hostname", "..\\a"}) {
-    WriteFileAtomically(tree_ / names, name);
+    WriteText(names, name);
     EXPECT_THAT(Refusal(), HasSubstr("leads out of")) << name;
   }
-  WriteFileAtomically(tree_ / names, "c");
+  WriteText(names, "c");
   EXPECT_THAT(Refusal(), HasSubstr("the file name 'c.png' is no file below"));
-  WriteFileAtomically(tree_ / names, "\n \n");
+  WriteText(names, "\n \n");
   EXPECT_THAT(Refusal(), HasSubstr("Segmentation: no *.txt with names of pictures"));
   fs::remove_all(tree_ / "ImageSets");
   EXPECT_THAT(Refusal(), HasSubstr("Segmentation: cannot read the folder"));
@@ -125,10 +107,10 @@ TEST_F(ListCvatTest, NamesTheLineOfALabelMap) {
                                  "handle:-1,2,3::",
                                  "handle:red::",
                                  ":1,2,3::"}) {
-    WriteFileAtomically(tree_ / "labelmap.txt", "blur:9,8,7::\n" + line + "\n");
+    WriteText("labelmap.txt", "blur:9,8,7::\n" + line + "\n");
     EXPECT_THAT(Refusal(), HasSubstr("labelmap.txt:2: '" + line + "' where label:red,green,blue"));
   }
-  WriteFileAtomically(tree_ / "labelmap.txt", "blur:9,8,7::\nhandle:9,8,7::\n");
+  WriteText("labelmap.txt", "blur:9,8,7::\nhandle:9,8,7::\n");
   EXPECT_THAT(Refusal(), HasSubstr(":2: 'handle:9,8,7::' has the colour of 'blur'"));
 }
 
@@ -139,7 +121,7 @@ TEST_F(ListCvatTest, RefusesMasksThatDoNotFit) {
   EXPECT_THAT(Refusal(), HasSubstr("a.png: the mask is 2x1 pixels, its picture 3x1"));
   testing::WriteTurnedJpeg(tree_ / "SegmentationClass/a.png", 8, 6);
   EXPECT_THAT(Refusal(), HasSubstr("labels in a JPEG"));
-  WriteFileAtomically(tree_ / "SegmentationClass/a.png", "");
+  WriteText("SegmentationClass/a.png", "");
   EXPECT_THAT(Refusal(), HasSubstr("SegmentationClass/a.png"));
 }
 

@@ -6,12 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "lib/core/error.h"
-#include "lib/core/file.h"
 #include "lib/core/rng.h"
-#include "tests/datasets/small_image_set.h"
-#include "tests/support/expect_throws_message.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/datasets/importers/importer_test.h"
 
 namespace handcraft::datasets {
 namespace {
@@ -20,7 +16,6 @@ namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using testing::NoiseImage;
 using ::testing::SizeIs;
 using testing::TemporaryDirectory;
 
@@ -30,13 +25,14 @@ std::vector<GraspRectangle> ReadText(const std::string& text) {
   return ReadJacquardGrasps(folder / "0_a_grasps.txt");
 }
 
-// A picture of 40 × 30, its grasp opens along u from 11 to 29.
-void AddScene(const fs::path& folder, const std::string& scene) {
-  fs::create_directories(folder);
-  const std::uint64_t seed = std::hash<std::string>()(scene);
-  perception::WritePng(folder / (scene + "_RGB.png"), NoiseImage(40, 30, 3, seed));
-  WriteFileAtomically(folder / (scene + "_grasps.txt"), "20;15;0;18;4\n");
-}
+class ListJacquardTest : public ImporterTest {
+ protected:
+  // A picture of 40 × 30, its grasp opens along u from 11 to 29.
+  void AddScene(const fs::path& folder, const std::string& scene) const {
+    WriteImage(folder / (scene + "_RGB.png"), 40, 30);
+    WriteText(folder / (scene + "_grasps.txt"), "20;15;0;18;4\n");
+  }
+};
 
 TEST(ReadJacquardGrasps, PutsTheOpeningOnTheFirstEdge) {
   const auto grasps = ReadText("20.0;15.0;0.0;18.0;4.0\r\n20;15;90;18;4\n\n");
@@ -93,14 +89,13 @@ TEST(ReadJacquardGrasps, NamesTheLine) {
   }
 }
 
-TEST(ListJacquard, ReadsATree) {
-  const TemporaryDirectory folder;
-  AddScene(folder / "tree/Jacquard_Dataset_0/1a2b", "0_1a2b");
-  AddScene(folder / "tree/Jacquard_Dataset_0/1a2b", "1_1a2b");
-  AddScene(folder / "tree/Jacquard_Dataset_1/x_y", "12_x_y");
-  AddScene(folder / "tree/odd", "_z");
-  WriteFileAtomically(folder / "tree/odd/0_1a2b_mask.png", "not read");
-  const SourceSet source = ListJacquard(folder / "tree", {.dont_care_margin_px = 3});
+TEST_F(ListJacquardTest, ReadsATree) {
+  AddScene("Jacquard_Dataset_0/1a2b", "0_1a2b");
+  AddScene("Jacquard_Dataset_0/1a2b", "1_1a2b");
+  AddScene("Jacquard_Dataset_1/x_y", "12_x_y");
+  AddScene("odd", "_z");
+  WriteText("odd/0_1a2b_mask.png", "not read");
+  const SourceSet source = ListJacquard(tree_, {.dont_care_margin_px = 3});
   ASSERT_THAT(source.pictures, SizeIs(4));
   EXPECT_EQ(source.pictures[0].image, "Jacquard_Dataset_0/1a2b/0_1a2b_RGB.png");
   EXPECT_EQ(source.pictures[0].mask, "Jacquard_Dataset_0/1a2b/0_1a2b.png");
@@ -109,8 +104,8 @@ TEST(ListJacquard, ReadsATree) {
   EXPECT_EQ(source.pictures[1].instance, "1a2b");
   EXPECT_EQ(source.pictures[2].instance, "x_y");
   EXPECT_EQ(source.pictures[3].instance, "_z");
-  const LabelledImageSet set = ImportPictures(source, folder / "out", {});
-  EXPECT_THAT(FindFaults(ReadLabelledImageSet(folder / "out")), IsEmpty());
+  const LabelledImageSet set = ImportPictures(source, out_, {});
+  EXPECT_THAT(FindFaults(ReadLabelledImageSet(out_)), IsEmpty());
   const Image mask = ReadMask(set, 0);
   EXPECT_EQ(mask.At(20, 15), kMaskGood);
   EXPECT_EQ(mask.At(24, 15), kMaskDontCare) << "outer third";
@@ -118,20 +113,18 @@ TEST(ListJacquard, ReadsATree) {
   EXPECT_EQ(mask.At(20, 20), kMaskBad);
 }
 
-TEST(ListJacquard, SaysWhatWasExpectedAndFound) {
-  const TemporaryDirectory folder;
-  AddScene(folder.path(), "0_a");
-  AddScene(folder.path(), "0_b");
-  fs::remove(folder / "0_a_grasps.txt");
-  WriteFileAtomically(folder / "0_b_grasps.txt", "");
-  EXPECT_THROWS_MESSAGE(ListJacquard(folder.path(), {}),
+TEST_F(ListJacquardTest, SaysWhatWasExpectedAndFound) {
+  AddScene("", "0_a");
+  AddScene("", "0_b");
+  fs::remove(tree_ / "0_a_grasps.txt");
+  WriteText("0_b_grasps.txt", "");
+  EXPECT_THROWS_MESSAGE(ListJacquard(tree_, {}),
                         Error,
                         AllOf(HasSubstr("no *_RGB.png with grasps in its *_grasps.txt"),
                               HasSubstr("found 2 pictures and 1 files of grasps")));
+  EXPECT_THROWS_MESSAGE(ListJacquard(tree_ / "no", {}), Error, HasSubstr("cannot read the folder"));
   EXPECT_THROWS_MESSAGE(
-      ListJacquard(folder / "no", {}), Error, HasSubstr("cannot read the folder"));
-  EXPECT_THROWS_MESSAGE(
-      ListJacquard(folder.path(), {.good_share = 2}), Error, HasSubstr("good_share is 2"));
+      ListJacquard(tree_, {.good_share = 2}), Error, HasSubstr("good_share is 2"));
 }
 
 }  // namespace

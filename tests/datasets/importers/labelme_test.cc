@@ -10,11 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "lib/core/error.h"
-#include "lib/core/file.h"
-#include "tests/datasets/small_image_set.h"
-#include "tests/support/expect_throws_message.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/datasets/importers/importer_test.h"
 #include "tests/support/turned_jpeg.h"
 
 namespace handcraft::datasets {
@@ -25,9 +21,7 @@ using nlohmann::json;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using testing::NoiseImage;
 using ::testing::SizeIs;
-using testing::TemporaryDirectory;
 
 // A file as LabelMe writes it, for a picture of 6 × 4 with one good column.
 json Annotation(const std::string& image) {
@@ -58,37 +52,24 @@ std::string Base64(const std::vector<std::uint8_t>& bytes) {
   return text + std::string(num_padding, '=');
 }
 
-class ListLabelmeTest : public ::testing::Test {
+class ListLabelmeTest : public ImporterTest {
  protected:
   void SetUp() override { fs::create_directory(tree_); }
 
-  void WriteImage(const std::string& name) const {
-    const std::uint64_t seed = std::hash<std::string>()(name);
-    perception::WritePng(tree_ / name, NoiseImage(6, 4, 3, seed));
-  }
   void Write(const std::string& name, const json& annotation) const {
-    WriteFileAtomically(tree_ / name, annotation.dump());
+    WriteText(name, annotation.dump());
   }
   // The refusal of the picture a.png with this annotation.
   [[nodiscard]] std::string Refusal(const json& annotation, const LabelRoles& roles = {}) const {
     Write("a.json", annotation);
-    WriteImage("a.png");
-    try {
-      ImportPictures(ListLabelme(tree_, roles), folder_ / "out", {});
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "(nothing was thrown)";
+    WriteImage("a.png", 6, 4);
+    return RefusalOf([&] { return ListLabelme(tree_, roles); });
   }
-
-  TemporaryDirectory folder_;
-  fs::path tree_ = folder_ / "labelme";
 };
 
 TEST_F(ListLabelmeTest, ReadsPicturesBesideTheFiles) {
-  fs::create_directories(tree_ / "mug/deep");
-  WriteImage("cup ü, \"1\"\n.png");
-  WriteImage("mug/deep/b.png");
+  WriteImage("cup ü, \"1\"\n.png", 6, 4);
+  WriteImage("mug/deep/b.png", 6, 4);
   Write("a.json", Annotation("cup ü, \"1\"\n.png"));
   Write("mug/b.json", Annotation("deep\\b.png"));  // as Windows writes it
   const SourceSet source = ListLabelme(tree_, {});
@@ -97,8 +78,8 @@ TEST_F(ListLabelmeTest, ReadsPicturesBesideTheFiles) {
   EXPECT_EQ(source.pictures[1].mask, "mug/deep/b.png");
   EXPECT_EQ(source.pictures[1].object_class, "mug");
   EXPECT_EQ(source.pictures[1].instance, "mug/deep/b");
-  const LabelledImageSet set = ImportPictures(source, folder_ / "out", {});
-  EXPECT_THAT(FindFaults(ReadLabelledImageSet(folder_ / "out")), IsEmpty());
+  const LabelledImageSet set = ImportPictures(source, out_, {});
+  EXPECT_THAT(FindFaults(ReadLabelledImageSet(out_)), IsEmpty());
   const Image mask = ReadMask(set, 0);
   EXPECT_EQ(mask.At(0, 2), kMaskBad);
   EXPECT_EQ(mask.At(1, 2), kMaskGood);
@@ -106,13 +87,13 @@ TEST_F(ListLabelmeTest, ReadsPicturesBesideTheFiles) {
 }
 
 TEST_F(ListLabelmeTest, TakesAnEmbeddedPictureAsItIs) {
-  WriteImage("other.png");
+  WriteImage("other.png", 6, 4);
   const std::vector<std::uint8_t> bytes = ReadFile(tree_ / "other.png");
   fs::remove(tree_ / "other.png");
   json annotation = Annotation("../elsewhere/cup.jpg");  // not read
   annotation["imageData"] = Base64(bytes);
   Write("cup.json", annotation);
-  const LabelledImageSet set = ImportPictures(ListLabelme(tree_, {}), folder_ / "out", {});
+  const LabelledImageSet set = ImportPictures(ListLabelme(tree_, {}), out_, {});
   EXPECT_EQ(set.items.at(0).image, "images/cup.png");
   EXPECT_EQ(ReadFile(folder_ / "out/images/cup.png"), bytes);
 }
@@ -125,7 +106,7 @@ TEST_F(ListLabelmeTest, DrawsEachTypeOfShape) {
       {{"label", "burr"}, {"points", {{2, 1}, {0.2, 0}}}, {"shape_type", "rectangle"}},
       {{"label", "note"}, {"points", {{2, 1}}}, {"shape_type", "point"}}};
   Write("a.json", annotation);
-  WriteImage("a.png");
+  WriteImage("a.png", 6, 4);
   const SourceSet source =
       ListLabelme(tree_, {.good = {"rim"}, .bad = {"burr"}, .dont_care = {"blur"}});
   const Image mask = source.pictures.at(0).make_mask(6, 4);
@@ -179,10 +160,10 @@ TEST_F(ListLabelmeTest, RefusesAWrongTree) {
               HasSubstr("nothing is labelled 'handle'; there are: 'good'"));
   EXPECT_THAT(Refusal(Annotation("a.png"), {.good = {"good"}, .bad = {"good"}}),
               HasSubstr("the label 'good' has two roles"));
-  WriteFileAtomically(tree_ / "a.json", Annotation("a.png").dump().substr(0, 100));
+  WriteText("a.json", Annotation("a.png").dump().substr(0, 100));
   EXPECT_THROWS_MESSAGE(
       ListLabelme(tree_, {}), Error, HasSubstr("a.json at byte 100: this is not JSON"));
-  WriteFileAtomically(tree_ / "a.json", "");
+  WriteText("a.json", "");
   EXPECT_THROWS_MESSAGE(ListLabelme(tree_, {}), Error, HasSubstr("the file is empty"));
 }
 
