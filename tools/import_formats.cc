@@ -95,7 +95,8 @@ SourceLister AddCocoOptions(CLI::App& command) {
 SourceLister AddCvatOptions(CLI::App& command) {
   auto options = std::make_shared<datasets::CvatOptions>();
   command
-      .add_option("--images", options->images, "Folder of the pictures; without it SRC/JPEGImages")
+      .add_option(
+          "--images", options->images, "Folder of the pictures; without it that of the export")
       ->type_name("DIR");
   AddLabelRoles(command, options->roles);
   return [options](const std::filesystem::path& source) {
@@ -157,8 +158,8 @@ constexpr auto kFormats = std::to_array<ImportFormat>(
       "coco tests/data/coco/instances.json --images tests/data/cornell --out out/coco",
       AddCocoOptions},
      {"cvat",
-      "CVAT's export \"Segmentation mask 1.1\"",
-      "The unpacked folder, with labelmap.txt, ImageSets and SegmentationClass",
+      "CVAT's exports \"CVAT for images 1.1\" and \"Segmentation mask 1.1\"",
+      "The unpacked folder, with annotations.xml or labelmap.txt",
       "cvat tests/data/cvat --images tests/data/cornell --good handle --out out/cvat",
       AddCvatOptions},
      {"jacquard",

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "datasets/formats/labelled_image_set.h"
+#include "datasets/importers/cvat_shapes.h"
 #include "datasets/importers/label_picture.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
@@ -143,10 +144,7 @@ std::map<std::string, fs::path> ReadNames(const fs::path& folder) {
   return names;
 }
 
-}  // namespace
-
-SourceSet ListCvat(const fs::path& source, const CvatOptions& options) {
-  options.roles.Validate();
+SourceSet ListCvatMasks(const fs::path& source, const CvatOptions& options) {
   const auto labels = ReadLabelMap(source / "labelmap.txt");
   std::set<std::string> label_names;
   for (const auto& [colour, label] : labels) label_names.insert(label);
@@ -177,6 +175,25 @@ SourceSet ListCvat(const fs::path& source, const CvatOptions& options) {
          }});
   }
   return set;
+}
+
+}  // namespace
+
+SourceSet ListCvat(const fs::path& source, const CvatOptions& options) {
+  options.roles.Validate();
+  if (source.extension() == ".xml") return ListCvatShapes(source, options);
+  const bool has_shapes = fs::exists(source / "annotations.xml");
+  const bool has_masks = fs::exists(source / "labelmap.txt");
+  if (has_shapes == has_masks) {
+    throw Error({.path = source.string(),
+                 .reason = std::string(has_masks ? "both" : "neither") +
+                           " labelmap.txt (\"Segmentation mask 1.1\") " +
+                           (has_masks ? "and" : "nor") +
+                           " annotations.xml (\"CVAT for images 1.1\") there",
+                 .remedy = "give the folder of one unpacked export"});
+  }
+  return has_shapes ? ListCvatShapes(source / "annotations.xml", options)
+                    : ListCvatMasks(source, options);
 }
 
 }  // namespace handcraft::datasets

@@ -81,6 +81,14 @@ void Fill(Image& mask, const PixelRuns& runs, std::uint8_t value) {
   }
 }
 
+void Fill(Image& mask, const PixelSpans& spans, std::uint8_t value) {
+  for (const PixelSpan& span : spans) {
+    HC_CHECK(span.row >= 0 && span.row < mask.height(), span.row);
+    HC_CHECK(0 <= span.begin && span.begin <= span.end && span.end <= mask.width(), span.begin);
+    std::fill(mask.Row(span.row) + span.begin, mask.Row(span.row) + span.end, value);
+  }
+}
+
 }  // namespace
 
 Image DrawLabelledShapes(int width, int height, const std::vector<LabelledShape>& shapes) {

@@ -29,14 +29,24 @@ struct Circle {
 /// inside, outside, and so on. The numbers add up to all pixels of the picture.
 using PixelRuns = std::vector<std::uint32_t>;
 
+/// Pixels of a row, from column `begin` to the one before `end`.
+struct PixelSpan {
+  int row = 0;
+  int begin = 0;
+  int end = 0;
+};
+using PixelSpans = std::vector<PixelSpan>;
+
+using ShapeGeometry = std::variant<Polygon, Circle, PixelRuns, PixelSpans>;
+
 struct LabelledShape {
-  std::variant<Polygon, Circle, PixelRuns> geometry;
+  ShapeGeometry geometry;
   std::uint8_t value = 0;  ///< of the mask
 };
 
 /// The mask of one picture: bad everywhere, then the good shapes, then the bad ones, then what is
 /// don't care, each overruling those before it, whatever their order in the list. Throws
-/// std::logic_error when runs do not add up to the pixels.
+/// std::logic_error when runs do not add up to the pixels, or spans leave the picture.
 [[nodiscard]] Image DrawLabelledShapes(int width,
                                        int height,
                                        const std::vector<LabelledShape>& shapes);

@@ -13,7 +13,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "datasets/formats/json_value.h"
@@ -38,7 +37,7 @@ std::array<double, 2> ReadPoint(const JsonValue& json) {
   return {numbers[0], numbers[1]};
 }
 
-std::variant<Polygon, Circle, PixelRuns> ReadGeometry(const JsonValue& shape) {
+ShapeGeometry ReadGeometry(const JsonValue& shape) {
   const std::string type = shape.Has("shape_type") ? shape["shape_type"].Text() : "polygon";
   std::vector<std::array<double, 2>> points;
   for (const JsonValue& point : shape["points"].Items()) points.push_back(ReadPoint(point));

@@ -17,7 +17,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-using testing::TemporaryDirectory;
 
 constexpr std::string_view kRectangle = "4 4\n10 4\n10 8\n4 8\n";
 

@@ -95,7 +95,17 @@ TEST_F(ListCvatTest, RefusesAWrongTree) {
   fs::remove_all(tree_ / "ImageSets");
   EXPECT_THAT(Refusal(), HasSubstr("Segmentation: cannot read the folder"));
   fs::remove(tree_ / "labelmap.txt");
-  EXPECT_THAT(Refusal(), HasSubstr("labelmap.txt: "));
+  EXPECT_THAT(Refusal(), HasSubstr("neither labelmap.txt (\"Segmentation mask 1.1\") nor annot"));
+}
+
+TEST_F(ListCvatTest, TellsTheExportsApart) {
+  WriteText("annotations.xml", "<annotations/>");
+  EXPECT_THAT(Refusal(), HasSubstr("both labelmap.txt"));
+  EXPECT_THROWS_MESSAGE(ListCvat(tree_ / "annotations.xml", {}),
+                        Error,
+                        HasSubstr("annotations.xml:1: <annotations>: no <image>"));
+  fs::remove(tree_ / "labelmap.txt");
+  EXPECT_THAT(Refusal(), HasSubstr("annotations.xml:1: <annotations>: no <image>"));
 }
 
 TEST_F(ListCvatTest, NamesTheLineOfALabelMap) {

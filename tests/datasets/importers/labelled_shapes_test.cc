@@ -70,6 +70,14 @@ TEST(DrawLabelledShapes, DrawsRunsDownTheColumns) {
 
 // Oracle: OpenCV's test of a point, for each pixel. Corners are eighths, so that single precision
 // holds them and no corner is a middle; a middle on the line may be either.
+TEST(DrawLabelledShapes, DrawsSpans) {
+  EXPECT_EQ(Draw(3, 2, {{PixelSpans{{0, 1, 3}, {1, 0, 1}, {1, 2, 2}}, kMaskGood}}),
+            (Letters{".GG", "G.."}));
+  for (const PixelSpan span : {PixelSpan{2, 0, 1}, {-1, 0, 1}, {0, -1, 1}, {0, 0, 4}, {0, 2, 1}}) {
+    EXPECT_THROW(Draw(3, 2, {{PixelSpans{span}, kMaskGood}}), std::logic_error);
+  }
+}
+
 TEST(DrawLabelledShapes, AgreesWithPointPolygonTest) {
   Rng rng(11);
   for (int round = 0; round < 60; ++round) {
