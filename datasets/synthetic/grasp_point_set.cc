@@ -74,6 +74,7 @@ std::vector<Plan> MakePlans(const GraspPointSetOptions& options) {
 
 datasets::LabelledImage Describe(const Plan& plan) {
   const bool is_test = plan.kind->family == Family::kNovel ||
+                       plan.kind->family == Family::kUntaught ||
                        plan.instance % kInstancesPerTestInstance == kInstancesPerTestInstance - 1;
   return {.image = plan.Path("images", ".png"),
           .mask = plan.Path("masks", ".png"),
@@ -87,7 +88,7 @@ std::string ParametersToToml(const GraspPointSetOptions& options, std::size_t nu
   const std::string text = fmt::format(
       "kind = \"grasp-points\"\ngenerator = {}\nfamily = \"{}\"\nseed = {}\nnum_images = {}\n",
       kGeneratorVersion,
-      options.family == Family::kTrained ? "trained" : "novel",
+      NameOf(options.family),
       options.seed,
       num_images);
   return text + CameraToToml(options.camera,

@@ -15,7 +15,8 @@ namespace handcraft::synthetic {
 
 enum class SetSize {
   kSmall,  ///< 24 pictures a class
-  kFull,   ///< as many as the dissertation has: 13247 of the trained family, 180 of the novel one
+  kFull,   ///< as many as the dissertation has: 13247 of the trained family, 180 of the novel one,
+           ///< 216 of the taught, 240 of the untaught, 144 of those that are regrasped
 };
 
 /// What is made. Every picture depends on seed, class and its number within the class alone, so a

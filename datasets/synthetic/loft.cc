@@ -65,15 +65,15 @@ void AddRim(Profile& profile, const ProfilePoint& top, const Vector2f& tangent, 
   }
 }
 
-// Catmull and Rom's spline on its middle span, 0 ≤ t ≤ 1.
-float CatmullRom(const std::array<float, 4>& p, float t) {
+}  // namespace
+
+float CatmullRom(const std::array<float, 4>& values, float t) {
+  const auto& p = values;
   return p[1] + 0.5F * t *
                     (p[2] - p[0] +
                      t * (2.0F * p[0] - 5.0F * p[1] + 4.0F * p[2] - p[3] +
                           t * (3.0F * (p[1] - p[2]) + p[3] - p[0])));
 }
-
-}  // namespace
 
 Mesh Loft(std::span<const Section> sections, Ends ends) {
   HC_CHECK(sections.size() >= 2, sections.size());

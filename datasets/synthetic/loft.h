@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -38,6 +39,9 @@ using Profile = std::vector<ProfilePoint>;
 
 /// Surface of revolution about z. The profile runs up the outside and down the inside.
 [[nodiscard]] Mesh Revolve(const Profile& profile, Ends ends, int num_segments = 64);
+
+/// Catmull and Rom's spline between the second and the third of four values, 0 ≤ t ≤ 1.
+[[nodiscard]] float CatmullRom(const std::array<float, 4>& values, float t);
 
 /// More points along the curve through the given ones (Catmull–Rom, the ends doubled), `steps` a
 /// span; each takes the surface of the point before it.

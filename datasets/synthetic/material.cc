@@ -62,6 +62,16 @@ float PrintTone(const Vector3f& at) {
   return in_line * words * letters * column;
 }
 
+// What is printed round a package. Noise along z divides it into zones: a band, an emblem, text.
+float LabelTone(const Vector3f& at) {
+  const float along = at.x() - at.y();  // runs round whatever stands about the z axis
+  const float zone = ValueNoise({0.5F, 0.5F, 0.16F * at.z()});
+  if (zone > 0.66F) return 1.0F;
+  const float emblem = ValueNoise({0.22F * along, 5.5F, 0.3F * at.z()});
+  if (zone > 0.42F) return 0.85F * Step(0.55F, 0.58F, emblem);
+  return PrintTone({along, at.z(), 0.0F});
+}
+
 float Tone(Pattern pattern, const Vector3f& at) {
   switch (pattern) {
     case Pattern::kPlain:
@@ -76,6 +86,8 @@ float Tone(Pattern pattern, const Vector3f& at) {
       return CheckTone(at);
     case Pattern::kPrint:
       return PrintTone(at);
+    case Pattern::kLabel:
+      return LabelTone(at);
   }
   HC_CHECK(false, static_cast<int>(pattern));
   return 0.0F;
@@ -125,6 +137,20 @@ Colour FromHsv(float hue, float saturation, float value) {
   };
   const Colour coded(channel(0.0F), channel(2.0F / 3.0F), channel(1.0F / 3.0F));
   return coded.array().pow(2.2F);
+}
+
+Material Painted(const Colour& colour, float specular) {
+  Material material;
+  material.base = colour;
+  material.second = 0.92F * colour;
+  material.specular = specular;
+  return material;
+}
+
+Material DrawMetal(Rng& rng) {
+  Material metal = Painted(Colour::Constant(Between(rng, 0.15F, 0.35F)), 0.35F);
+  metal.shininess = Between(rng, 20.0F, 80.0F);
+  return metal;
 }
 
 Material DrawGlaze(Rng& rng) {

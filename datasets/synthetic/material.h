@@ -19,6 +19,7 @@ enum class Pattern {
   kWood,      ///< grain along x
   kChecks,    ///< woven squares in x and y
   kPrint,     ///< lines of blots in x and y, as text and pictures on paper
+  kLabel,     ///< bands, emblems and lines of text across z, as on a package that stands
 };
 
 /// How a surface looks. Patterns are functions of the point in the object's own frame [m].
@@ -43,6 +44,12 @@ struct Material {
 
 /// A colour of the given hue [turns], saturation and value, each 0 ... 1, made linear.
 [[nodiscard]] Colour FromHsv(float hue, float saturation, float value);
+
+/// One colour, as even as paint.
+[[nodiscard]] Material Painted(const Colour& colour, float specular);
+
+/// Bare metal, gray.
+[[nodiscard]] Material DrawMetal(Rng& rng);
 
 /// Glazed pottery or painted plastic of a random colour.
 [[nodiscard]] Material DrawGlaze(Rng& rng);

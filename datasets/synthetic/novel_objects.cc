@@ -18,20 +18,6 @@ using Eigen::Vector3f;
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-Material Uniform(const Colour& colour, float specular) {
-  Material material;
-  material.base = colour;
-  material.second = 0.92F * colour;
-  material.specular = specular;
-  return material;
-}
-
-Material Metal(Rng& rng) {
-  Material metal = Uniform(Colour::Constant(Between(rng, 0.15F, 0.35F)), 0.35F);
-  metal.shininess = Between(rng, 20.0F, 80.0F);
-  return metal;
-}
-
 // A label round a bottle: blots on a light ground.
 Material Label(Rng& rng) {
   Material label = DrawPlastic(rng);
@@ -113,7 +99,7 @@ Object DrawCalculator(Rng& rng) {
   stations.push_back({height_m, kBorderM, {0, false}});
   Object calculator{.mesh = Extrude(RoundedRectangle(size_m, kBorderM + 0.001F), stations),
                     .materials = {DrawPlastic(rng),
-                                  Uniform(Colour(0.25F, 0.32F, 0.22F), 0.06F),
+                                  Painted(Colour(0.25F, 0.32F, 0.22F), 0.06F),
                                   DrawPlastic(rng),
                                   DrawPlastic(rng)}};
   for (Face& face : calculator.mesh.faces) {
@@ -166,9 +152,9 @@ Object DrawHammer(Rng& rng) {
                       {0, along > 0.08F && along < 0.75F}});
   }
   Object hammer{.mesh = Sweep(handle, Vector3f::UnitY()),
-                .materials = {DrawPlastic(rng), Metal(rng)}};
+                .materials = {DrawPlastic(rng), DrawMetal(rng)}};
   if (Chance(rng, 0.6)) {
-    hammer.materials[0] = Uniform(FromHsv(0.08F, 0.5F, 0.7F), 0.02F);
+    hammer.materials[0] = Painted(FromHsv(0.08F, 0.5F, 0.7F), 0.02F);
     hammer.materials[0].second = FromHsv(0.07F, 0.6F, 0.45F);
     hammer.materials[0].pattern = Pattern::kWood;
   }
@@ -230,7 +216,7 @@ Object DrawTape(Rng& rng) {
                            {core_m, 0.0F, tape}};
   Object roll{.mesh = Revolve(profile, Ends::kJoined), .materials = {DrawPlastic(rng), {}}};
   roll.materials[0].specular = 0.08F;
-  roll.materials[1] = Uniform(FromHsv(0.09F, 0.4F, Between(rng, 0.5F, 0.8F)), 0.0F);
+  roll.materials[1] = Painted(FromHsv(0.09F, 0.4F, Between(rng, 0.5F, 0.8F)), 0.0F);
   if (Chance(rng, 0.35)) LieAlongX(roll.mesh);  // stands on its edge
   return roll;
 }

@@ -16,7 +16,6 @@
 namespace handcraft::tools {
 namespace {
 
-using synthetic::Family;
 using synthetic::SetSize;
 
 struct DataSynthOptions {
@@ -30,7 +29,7 @@ struct DataSynthOptions {
 void RunGraspPoints(const DataSynthOptions& options, const Console& console) {
   synthetic::GraspPointSetOptions set_options = options.set;
   set_options.size = options.size == "full" ? SetSize::kFull : SetSize::kSmall;
-  set_options.family = options.family == "novel" ? Family::kNovel : Family::kTrained;
+  set_options.family = synthetic::FamilyNamed(options.family);
   ProgressBar bar(console);
   set_options.progress = bar.Callback();
   const datasets::LabelledImageSet set = synthetic::MakeGraspPointSet(options.out, set_options);
@@ -56,8 +55,9 @@ void AddGraspPoints(CLI::App& group, const Console& console) {
       ->required();
   CLI::Option* size =
       command
-          ->add_option(
-              "--size", options->size, "small: 24 images a class; full: 13247, or 180 novel")
+          ->add_option("--size",
+                       options->size,
+                       "small: 24 images a class; full: 13247 of the trained family")
           ->check(CLI::IsMember({"small", "full"}))
           ->capture_default_str();
   AddNumber(*command,
@@ -69,8 +69,9 @@ void AddGraspPoints(CLI::App& group, const Console& console) {
   command
       ->add_option("--family",
                    options->family,
-                   "trained: nine classes to train on; novel: six others to test with")
-      ->check(CLI::IsMember({"trained", "novel"}))
+                   "trained: nine classes to train on; novel: six others to test with; taught, "
+                   "untaught, regrasp: six, eight and four kinds that a whole hand closes around")
+      ->check(CLI::IsMember({"trained", "novel", "taught", "untaught", "regrasp"}))
       ->capture_default_str();
   command->add_flag(
       "--stereo", options->set.with_right, "Also what a camera 0.12 m to the right sees");

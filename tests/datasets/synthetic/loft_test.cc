@@ -3,6 +3,7 @@
 
 #include "datasets/synthetic/loft.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -134,6 +135,15 @@ TEST(Sweep, HasTheVolumeOfATorus) {
   EXPECT_TRUE(IsClosed(mesh));
   EXPECT_NEAR(Volume(mesh), PolygonArea(64) * 25e-6 * kPi * 0.03, 0.002 * kPi * kPi * 25e-6 * 0.03);
   EXPECT_DOUBLE_EQ(SurfaceAreas(mesh).all, SurfaceAreas(mesh).graspable);
+}
+
+TEST(CatmullRom, PassesThroughTheMiddleTwoAndKeepsLinesStraight) {
+  const std::array<float, 4> values = {1.0F, 2.0F, 5.0F, 3.0F};
+  EXPECT_FLOAT_EQ(CatmullRom(values, 0.0F), 2.0F);
+  EXPECT_FLOAT_EQ(CatmullRom(values, 1.0F), 5.0F);
+  EXPECT_FLOAT_EQ(CatmullRom({0.0F, 1.0F, 2.0F, 3.0F}, 0.25F), 1.25F);
+  // By hand at t = 1/2: (−p0 + 9 p1 + 9 p2 − p3) / 16.
+  EXPECT_FLOAT_EQ(CatmullRom(values, 0.5F), 59.0F / 16.0F);
 }
 
 }  // namespace

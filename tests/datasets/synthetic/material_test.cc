@@ -52,7 +52,8 @@ TEST(Albedo, LiesBetweenTheTwoColoursForEveryPattern) {
                                 Pattern::kStripes,
                                 Pattern::kWood,
                                 Pattern::kChecks,
-                                Pattern::kPrint}) {
+                                Pattern::kPrint,
+                                Pattern::kLabel}) {
     const Material material{
         .base = {0.2F, 0.4F, 0.6F}, .second = {0.5F, 0.3F, 0.1F}, .pattern = pattern};
     for (int i = 0; i < 500; ++i) {
@@ -80,6 +81,33 @@ TEST(DrawnMaterials, ReflectNoMoreThanAllLightAndDifferByDraw) {
       previous = material.base;
     }
   }
+}
+
+TEST(Albedo, OfALabelShowsBothColoursUpAPackage) {
+  const Material label{.base = Colour::Zero(),
+                       .second = Colour::Ones(),
+                       .pattern = Pattern::kLabel,
+                       .scale_m = 0.004F};
+  int num_base = 0;
+  int num_second = 0;
+  for (int z = 0; z < 200; ++z) {
+    for (int y = -20; y < 20; ++y) {
+      const Vector3f at(0.03F, 0.001F * static_cast<float>(y), 0.001F * static_cast<float>(z));
+      num_base += Albedo(label, at).x() < 0.1F ? 1 : 0;
+      num_second += Albedo(label, at).x() > 0.8F ? 1 : 0;
+    }
+  }
+  EXPECT_GT(num_base, 800);
+  EXPECT_GT(num_second, 800);
+}
+
+TEST(DrawMetal, IsGrayAndMirrors) {
+  Rng rng = Rng::Stream(1, "metal");
+  const Material metal = DrawMetal(rng);
+  EXPECT_EQ(metal.base.x(), metal.base.z());
+  EXPECT_FLOAT_EQ(metal.specular, 0.35F);
+  EXPECT_TRUE(
+      Painted(Colour(0.5F, 0.4F, 0.3F), 0.1F).second.isApprox(Colour(0.46F, 0.368F, 0.276F)));
 }
 
 }  // namespace

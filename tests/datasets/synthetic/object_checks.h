@@ -4,7 +4,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -23,6 +25,24 @@ inline void ExpectSound(const Object& object, bool all_graspable = false) {
   EXPECT_LT(areas.graspable, all_graspable ? 1.001 * areas.all : 0.75 * areas.all);
   for (const Face& face : object.mesh.faces) {
     ASSERT_LT(face.surface.material, object.materials.size());
+  }
+}
+
+/// The middle of the box around it lies on the z axis.
+inline void ExpectCentred(const Object& object) {
+  EXPECT_NEAR(Bounds(object.mesh).center().x(), 0.0F, 1e-5F);
+  EXPECT_NEAR(Bounds(object.mesh).center().y(), 0.0F, 1e-5F);
+}
+
+/// Half a turn about z puts a vertex, every 53rd is tried, within 0.3 mm of another.
+inline void ExpectHalfTurnSymmetry(const Object& object) {
+  const std::vector<Eigen::Vector3f>& vertices = object.mesh.vertices;
+  for (std::size_t i = 0; i < vertices.size(); i += 53) {
+    const Eigen::Vector3f turned(-vertices[i].x(), -vertices[i].y(), vertices[i].z());
+    const auto is_near = [&](const Eigen::Vector3f& other) {
+      return (turned - other).squaredNorm() < 0.0003F * 0.0003F;
+    };
+    EXPECT_TRUE(std::any_of(vertices.begin(), vertices.end(), is_near)) << turned.transpose();
   }
 }
 

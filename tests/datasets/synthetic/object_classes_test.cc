@@ -3,12 +3,54 @@
 
 #include "datasets/synthetic/object_classes.h"
 
+#include <array>
+#include <cmath>
+#include <numbers>
 #include <set>
 
 #include <gtest/gtest.h>
 
+#include "lib/core/error.h"
+#include "tests/support/expect_throws_message.h"
+
 namespace handcraft::synthetic {
 namespace {
+
+using ::testing::HasSubstr;
+
+constexpr std::array<Family, 5> kFamilies = {
+    Family::kTrained, Family::kNovel, Family::kTaught, Family::kUntaught, Family::kRegrasp};
+
+std::set<Object (*)(Rng&)> BuildersOf(Family family) {
+  std::set<Object (*)(Rng&)> builders;
+  for (const ObjectClass& kind : ClassesOf(family)) builders.insert(kind.draw);
+  return builders;
+}
+
+// Mean over the surface of r (cos φ, sin φ) and of r (cos 2φ, sin 2φ), divided by that of r: half a
+// turn changes the sign of the first, a quarter that of the second.
+struct Moments {
+  float second = 0.0F;
+  float first = 0.0F;
+};
+
+Moments MomentsOf(const Mesh& mesh) {
+  Eigen::Vector2f first = Eigen::Vector2f::Zero();
+  Eigen::Vector2f second = Eigen::Vector2f::Zero();
+  float total = 0.0F;
+  for (const Face& face : mesh.faces) {
+    const Eigen::Vector3f& a = mesh.vertices[face.vertices[0]];
+    const Eigen::Vector3f& b = mesh.vertices[face.vertices[1]];
+    const Eigen::Vector3f& c = mesh.vertices[face.vertices[2]];
+    const Eigen::Vector3f at = (a + b + c) / 3.0F;
+    const float radius = at.head<2>().norm() * (b - a).cross(c - a).norm();
+    const float angle_rad = std::atan2(at.y(), at.x());
+    first += radius * Eigen::Vector2f(std::cos(angle_rad), std::sin(angle_rad));
+    second += radius * Eigen::Vector2f(std::cos(2.0F * angle_rad), std::sin(2.0F * angle_rad));
+    total += radius;
+  }
+  return {second.norm() / total, first.norm() / total};
+}
 
 TEST(ClassesOf, AreTheDissertationsInNumberAndSize) {
   int num_images = 0;
@@ -20,25 +62,49 @@ TEST(ClassesOf, AreTheDissertationsInNumberAndSize) {
   EXPECT_EQ(ClassesOf(Family::kTrained).size(), 9U);
   EXPECT_EQ(num_images, 13247);
   EXPECT_EQ(ClassesOf(Family::kNovel).size(), 6U);
+  EXPECT_EQ(ClassesOf(Family::kTaught).size(), 6U);
+  EXPECT_EQ(ClassesOf(Family::kUntaught).size(), 8U);
+  EXPECT_EQ(ClassesOf(Family::kRegrasp).size(), 4U);
 }
 
-TEST(ClassesOf, ShareNeitherNamesNorBuildersBetweenTheFamilies) {
-  std::set<Object (*)(Rng&)> trained;
-  std::set<std::string_view> names;
-  for (const ObjectClass& kind : ClassesOf(Family::kTrained)) {
-    trained.insert(kind.draw);
-    EXPECT_EQ(kind.family, Family::kTrained);
-    EXPECT_TRUE(names.insert(kind.name).second) << kind.name;
+TEST(ClassesOf, NameEachClassOnceAFamily) {
+  for (const Family family : kFamilies) {
+    std::set<std::string_view> names;
+    for (const ObjectClass& kind : ClassesOf(family)) {
+      EXPECT_EQ(kind.family, family) << kind.name;
+      EXPECT_TRUE(names.insert(kind.name).second) << kind.name;
+      EXPECT_GE(kind.num_images_full, 30) << kind.name;
+    }
   }
+}
+
+TEST(ClassesOf, ShareNoBuilderBetweenWhatIsLearntAndWhatIsTested) {
+  const std::set<Object (*)(Rng&)> trained = BuildersOf(Family::kTrained);
+  const std::set<Object (*)(Rng&)> taught = BuildersOf(Family::kTaught);
   for (const ObjectClass& kind : ClassesOf(Family::kNovel)) {
-    EXPECT_EQ(kind.family, Family::kNovel);
     EXPECT_FALSE(trained.contains(kind.draw)) << kind.name;
-    EXPECT_TRUE(names.insert(kind.name).second) << kind.name;
+  }
+  for (const ObjectClass& kind : ClassesOf(Family::kUntaught)) {
+    EXPECT_FALSE(trained.contains(kind.draw)) << kind.name;
+    EXPECT_FALSE(taught.contains(kind.draw)) << kind.name;
+  }
+}
+
+TEST(ClassesOf, AreAsSymmetricAsTheySay) {
+  for (const Family family : {Family::kTaught, Family::kUntaught, Family::kRegrasp}) {
+    for (const ObjectClass& kind : ClassesOf(family)) {
+      Rng rng = Rng::Stream(3, "object");
+      const Moments moments = MomentsOf(kind.draw(rng).mesh);
+      const bool is_round = kind.symmetry == Symmetry::kRound;
+      EXPECT_EQ(moments.second < 0.02F, is_round) << kind.name << ' ' << moments.second;
+      EXPECT_EQ(moments.first < 0.02F, kind.symmetry != Symmetry::kNone)
+          << kind.name << ' ' << moments.first;
+    }
   }
 }
 
 TEST(ClassesOf, DrawTheSameObjectFromTheSameStreamAndAnotherFromAnother) {
-  for (const Family family : {Family::kTrained, Family::kNovel}) {
+  for (const Family family : kFamilies) {
     for (const ObjectClass& kind : ClassesOf(family)) {
       Rng first = Rng::Stream(1, "object");
       Rng again = Rng::Stream(1, "object");
@@ -48,6 +114,15 @@ TEST(ClassesOf, DrawTheSameObjectFromTheSameStreamAndAnotherFromAnother) {
       EXPECT_NE(object.mesh.vertices, kind.draw(other).mesh.vertices) << kind.name;
     }
   }
+}
+
+TEST(FamilyNamed, KnowsEveryNameAndSaysWhichThereAre) {
+  for (const Family family : kFamilies) EXPECT_EQ(FamilyNamed(NameOf(family)), family);
+  EXPECT_EQ(NameOf(Family::kUntaught), "untaught");
+  EXPECT_THROWS_MESSAGE((void)FamilyNamed("Trained"),
+                        Error,
+                        HasSubstr("there is no family of objects \"Trained\" (give trained, novel, "
+                                  "taught, untaught or regrasp)"));
 }
 
 }  // namespace
