@@ -25,28 +25,38 @@ std::string_view Trimmed(std::string_view text) {
 
 }  // namespace
 
-CsvRows::CsvRows(std::filesystem::path path, std::span<const std::string_view> columns)
-    : records_(std::move(path)), columns_(columns) {
+CsvRows::CsvRows(std::filesystem::path path,
+                 std::span<const std::string_view> columns,
+                 std::span<const std::string_view> optional_columns)
+    : records_(std::move(path)), columns_(columns), optional_columns_(optional_columns) {
   records_.RequireUtf8();
   if (!records_.Next(fields_)) {
     throw Error({.path = records_.path().string(), .reason = "the file is empty"});
   }
   num_fields_ = fields_.size();
-  for (const std::string_view column : columns) places_.push_back(Find(column));
+  for (const std::string_view column : columns) {
+    places_.push_back(Find(column));
+    if (places_.back() != kMissing) continue;
+    std::string names;
+    for (const std::string_view name : columns)
+      names += (names.empty() ? "" : ",") + std::string(name);
+    Fail("no column " + Quoted(column), "the first line names the columns: " + names);
+  }
+  for (const std::string_view column : optional_columns) places_.push_back(Find(column));
 }
 
 std::size_t CsvRows::Find(std::string_view column) const {
   const auto found = std::find(fields_.begin(), fields_.end(), column);
-  if (found == fields_.end()) {
-    std::string names;
-    for (const std::string_view name : columns_)
-      names += (names.empty() ? "" : ",") + std::string(name);
-    Fail("no column " + Quoted(column), "the first line names the columns: " + names);
-  }
+  if (found == fields_.end()) return kMissing;
   if (std::find(found + 1, fields_.end(), column) != fields_.end()) {
     Fail("column " + Quoted(column) + " appears twice");
   }
   return static_cast<std::size_t>(found - fields_.begin());
+}
+
+std::string_view CsvRows::Name(std::size_t column) const {
+  if (column < columns_.size()) return columns_[column];
+  return optional_columns_[column - columns_.size()];
 }
 
 bool CsvRows::Next() {
@@ -60,18 +70,18 @@ bool CsvRows::Next() {
 
 std::string_view CsvRows::Text(std::size_t column) const {
   HC_CHECK(column < places_.size(), column, places_.size());
-  return fields_[places_[column]];
+  return places_[column] == kMissing ? std::string_view() : fields_[places_[column]];
 }
 
 std::string_view CsvRows::Required(std::size_t column) const {
   const std::string_view text = Text(column);
-  if (text.empty()) Fail("no " + std::string(columns_[column]) + " given");
+  if (text.empty()) Fail("no " + std::string(Name(column)) + " given");
   return text;
 }
 
 double CsvRows::Number(std::size_t column) const {
   const std::string_view text = Trimmed(Text(column));
-  const std::string where = "column " + Quoted(columns_[column]) + ": ";
+  const std::string where = "column " + Quoted(Name(column)) + ": ";
   if (text.empty()) Fail(where + "nothing where a number is due");
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -19,16 +19,19 @@ namespace handcraft::datasets {
 /// given to the constructor. Text must be UTF-8. Source: RFC 4180, docs/datasets.md "CSV".
 class CsvRows {
  public:
-  /// Reads the whole file and its first line. `columns` must outlive the object. Throws Error when
-  /// the file cannot be read or is empty, and with line 1 for a column that is missing or there
-  /// twice.
-  CsvRows(std::filesystem::path path, std::span<const std::string_view> columns);
+  /// Reads the whole file and its first line. Both lists must outlive the object. Throws Error when
+  /// the file cannot be read or is empty, and with line 1 for a column that is there twice or, if
+  /// it is not optional, missing.
+  explicit CsvRows(std::filesystem::path path,
+                   std::span<const std::string_view> columns,
+                   std::span<const std::string_view> optional_columns = {});
 
   /// Moves to the next row; false at the end. Throws Error with the line for a row with more or
   /// fewer fields than the first line has.
   [[nodiscard]] bool Next();
 
-  /// The field as it stands, valid as long as the object lives.
+  /// The field as it stands, valid as long as the object lives; empty where an optional column is
+  /// missing.
   [[nodiscard]] std::string_view Text(std::size_t column) const;
 
   /// The same, not empty. Throws Error with line and column when it is.
@@ -45,10 +48,13 @@ class CsvRows {
   [[noreturn]] void Fail(std::string reason, std::string remedy = {}) const;
 
  private:
+  static constexpr std::size_t kMissing = static_cast<std::size_t>(-1);
   [[nodiscard]] std::size_t Find(std::string_view column) const;
+  [[nodiscard]] std::string_view Name(std::size_t column) const;
 
   CsvRecords records_;
   std::span<const std::string_view> columns_;
+  std::span<const std::string_view> optional_columns_;
   std::size_t num_fields_ = 0;
   std::vector<std::size_t> places_;
   std::vector<std::string_view> fields_;

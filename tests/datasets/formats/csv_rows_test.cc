@@ -88,5 +88,22 @@ TEST_F(CsvRowsTest, TakesFiniteNumbersAlone) {
   }
 }
 
+TEST_F(CsvRowsTest, DoesWithoutOptionalColumns) {
+  constexpr std::array<std::string_view, 2> kOptional = {"note", "weight_kg"};
+  WriteFileAtomically(folder_ / "rows.csv", "weight_kg,size_m,name\n0.5,1,mug\n,1,cup\n");
+  CsvRows rows(folder_ / "rows.csv", kColumns, kOptional);
+  ASSERT_TRUE(rows.Next());
+  EXPECT_EQ(rows.Text(2), "");
+  EXPECT_EQ(rows.Number(3), 0.5);
+  ASSERT_TRUE(rows.Next());
+  EXPECT_THROWS_MESSAGE(
+      rows.Number(3), Error, HasSubstr("rows.csv:3: column 'weight_kg': nothing where a number"));
+  EXPECT_THROWS_MESSAGE(rows.Required(2), Error, HasSubstr("no note given"));
+  WriteFileAtomically(folder_ / "rows.csv", "size_m,name,note,note\n");
+  EXPECT_THROWS_MESSAGE(CsvRows(folder_ / "rows.csv", kColumns, kOptional),
+                        Error,
+                        HasSubstr("column 'note' appears twice"));
+}
+
 }  // namespace
 }  // namespace handcraft::datasets

@@ -59,7 +59,7 @@ TEST(RightOf, ShiftsByTheDisparityOfTheDepth) {
 }
 
 TEST(PinholeCamera, RefusesIntrinsicsOfNoCamera) {
-  const auto refuses = [](PinholeCamera camera, const std::string& message) {
+  const auto refuses = [](const PinholeCamera& camera, const std::string& message) {
     EXPECT_THROWS_MESSAGE(camera.Validate(), Error, HasSubstr(message));
   };
   EXPECT_NO_THROW(PinholeCamera().Validate());

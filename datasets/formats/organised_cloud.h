@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+namespace handcraft::datasets {
+
+/// One point for each pixel of a picture, in the base frame [m]; NaN where nothing was measured.
+struct OrganisedCloud {
+  int width = 0;                             ///< [px]
+  int height = 0;                            ///< [px]; 1 for a cloud without a picture
+  std::vector<Eigen::Vector3f> points = {};  ///< row-major: pixel (u, v) is number v · width + u
+  /// Pose of the camera that measured it; the optical frame has z forward, x right, y down.
+  Eigen::Isometry3f base_from_camera = Eigen::Isometry3f::Identity();
+
+  [[nodiscard]] const Eigen::Vector3f& At(int u, int v) const {
+    return points[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(u)];
+  }
+};
+
+/// Whether something was measured there.
+[[nodiscard]] bool IsMeasured(const Eigen::Vector3f& point);
+
+/// Reads a PCD file (docs/datasets.md): version 0.7; ascii, binary or binary_compressed; x, y and z
+/// as four-byte floats among other fields, which are skipped. A point with a coordinate that is NaN
+/// or infinite becomes NaN in all three. Throws Error with the line or byte: a header that
+/// ReadPcdHeader refuses, fewer or more data than the points take, text that is no number, a
+/// damaged compressed stream. Up to a memory page of bytes behind the data is passed over: older
+/// versions of the Point Cloud Library leave it there. Takes no more memory than the length of the
+/// file can account for.
+[[nodiscard]] OrganisedCloud ReadPcd(const std::filesystem::path& path);
+
+/// Writes x, y and z as a binary PCD file, atomically; VIEWPOINT is the camera's pose. Same cloud,
+/// same bytes. Throws Error when it cannot.
+void WritePcd(const std::filesystem::path& path, const OrganisedCloud& cloud);
+
+}  // namespace handcraft::datasets
