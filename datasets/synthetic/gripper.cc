@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "datasets/synthetic/gripper.h"
+
+#include <algorithm>
+#include <string>
+
+#include "lib/core/option_rules.h"
+
+namespace handcraft::synthetic {
+namespace {
+
+using Eigen::AlignedBox3f;
+using Eigen::Vector3f;
+
+struct Finger {
+  AlignedBox3f last_link;
+  AlignedBox3f root;
+};
+
+// A finger on the side of +x whose contact is `contact_m` from the centre. (It may lie beyond the
+// centre: then the number is negative.)
+Finger SweptFinger(const Gripper& gripper, float contact_m, float y_m) {
+  const float half_width_m = 0.5F * gripper.finger_width_m;
+  const float outside_m = 0.5F * gripper.max_opening_m + gripper.finger_thickness_m;
+  const float last_inside_m = contact_m + gripper.pad_slack_m;
+  const float root_inside_m = std::max(contact_m + gripper.stand_off_m, gripper.knuckle_m);
+  const float joint_m = gripper.tip_m - gripper.last_link_m;
+  return {.last_link = {Vector3f(last_inside_m, y_m - half_width_m, joint_m),
+                        Vector3f(outside_m, y_m + half_width_m, gripper.tip_m)},
+          .root = {Vector3f(root_inside_m, y_m - half_width_m, -gripper.finger_reach_m),
+                   Vector3f(outside_m, y_m + half_width_m, joint_m)}};
+}
+
+AlignedBox3f Mirrored(const AlignedBox3f& box) {
+  const Vector3f turn(-1.0F, 1.0F, 1.0F);
+  AlignedBox3f mirrored;
+  mirrored.extend(Vector3f(turn.cwiseProduct(box.min())));
+  mirrored.extend(Vector3f(turn.cwiseProduct(box.max())));
+  return mirrored;
+}
+
+// A box of this size about the z axis whose upper face is at `top_m`.
+AlignedBox3f Below(float top_m, const Vector3f& size_m) {
+  return {Vector3f(-0.5F * size_m.x(), -0.5F * size_m.y(), top_m - size_m.z()),
+          Vector3f(0.5F * size_m.x(), 0.5F * size_m.y(), top_m)};
+}
+
+void RequirePositive(float value, const std::string& field) {
+  RequireOption(value > 0.0F && value <= 1.0F, "Gripper." + field, value, "in (0, 1]");
+}
+
+}  // namespace
+
+void Gripper::Validate() const {
+  RequirePositive(finger_reach_m, "finger_reach_m");
+  RequirePositive(last_link_m, "last_link_m");
+  RequirePositive(finger_width_m, "finger_width_m");
+  RequirePositive(finger_thickness_m, "finger_thickness_m");
+  RequirePositive(knuckle_m, "knuckle_m");
+  RequirePositive(palm_m.minCoeff(), "palm_m");
+  RequirePositive(wrist_m.minCoeff(), "wrist_m");
+  RequireOption(least_clearance_m >= 0.0F && max_opening_m > 2.0F * least_clearance_m,
+                "Gripper.max_opening_m",
+                max_opening_m,
+                "more than twice least_clearance_m");
+  // The boxes of a finger must hang together with each other and the palm.
+  RequireOption(pad_slack_m >= 0.0F && pad_slack_m <= least_clearance_m + finger_thickness_m,
+                "Gripper.pad_slack_m",
+                pad_slack_m,
+                "from 0 to least_clearance_m + finger_thickness_m");
+  RequireOption(
+      0.5F * WidestM() + stand_off_m <= 0.5F * palm_m.x() && knuckle_m <= 0.5F * palm_m.x(),
+      "Gripper.stand_off_m",
+      stand_off_m,
+      "so small that a finger's root stands on the palm");
+  RequireOption(knuckle_m <= 0.5F * max_opening_m,
+                "Gripper.knuckle_m",
+                knuckle_m,
+                "at most half of max_opening_m");
+  RequireOption(tip_m >= 0.0F && last_link_m - tip_m < finger_reach_m,
+                "Gripper.tip_m",
+                tip_m,
+                "such that the last link ends in front of the palm");
+}
+
+GripperBoxes SweptBoxes(const Gripper& gripper,
+                        const ContactPlaces& contacts,
+                        const Eigen::Isometry3f& frame_from_grasp) {
+  const Finger thumb = SweptFinger(gripper, -contacts.thumb_m, 0.0F);
+  const Finger left = SweptFinger(gripper, contacts.fingers_m, gripper.finger_apart_m);
+  const Finger right = SweptFinger(gripper, contacts.fingers_m, -gripper.finger_apart_m);
+  const float palm_m = -gripper.finger_reach_m;
+  const std::array<AlignedBox3f, kNumGripperBoxes> boxes = {
+      left.last_link,
+      right.last_link,
+      Mirrored(thumb.last_link),
+      left.root,
+      right.root,
+      Mirrored(thumb.root),
+      Below(palm_m, gripper.palm_m),
+      Below(palm_m - gripper.palm_m.z(), gripper.wrist_m)};
+  GripperBoxes moved;
+  std::transform(boxes.begin(), boxes.end(), moved.begin(), [&](const AlignedBox3f& box) {
+    return MovedBox(box, frame_from_grasp);
+  });
+  return moved;
+}
+
+}  // namespace handcraft::synthetic
