@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <string_view>
 
 #include "datasets/formats/csv_rows.h"
+#include "datasets/formats/named_views.h"
 #include "lib/core/error.h"
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
@@ -20,16 +20,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kFileName = "demonstrations.csv";
-constexpr std::string_view kFrame = "base";
-constexpr std::string_view kEndEffector = "grasp_centre";
 
 enum Column : std::size_t { kClass, kInstance, kView, kAngle, kFrameName, kEndEffectorName, kPose };
 constexpr std::array<std::string_view, 13> kColumns = {"class",
                                                        "instance",
                                                        "view",
                                                        "angle_deg",
-                                                       "frame",
-                                                       "end_effector",
+                                                       kFrameColumns[0],
+                                                       kFrameColumns[1],
                                                        kPoseColumns[0],
                                                        kPoseColumns[1],
                                                        kPoseColumns[2],
@@ -37,8 +35,6 @@ constexpr std::array<std::string_view, 13> kColumns = {"class",
                                                        kPoseColumns[4],
                                                        kPoseColumns[5],
                                                        kPoseColumns[6]};
-
-std::string Quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 std::string AngleText(const std::optional<double>& angle_deg) {
   return angle_deg ? NumberToText(*angle_deg) : "";
@@ -49,66 +45,19 @@ std::optional<double> ReadAngle(const CsvRows& rows, std::size_t column) {
   return rows.Number(column);
 }
 
-// What views.csv tells of a picture.
-struct ViewRow {
-  std::string object_class;
-  std::string instance;
-  std::optional<double> angle_deg;
-  std::size_t line = 0;
-};
-using ViewRows = std::map<std::string, ViewRow, std::less<>>;
-
-ViewRows ReadViewRows(const fs::path& path) {
-  constexpr std::array<std::string_view, 4> kViewColumns = {
-      "image", "class", "instance", "angle_deg"};
-  ViewRows views;
-  CsvRows rows(path, kViewColumns);
-  while (rows.Next()) {
-    views.try_emplace(std::string(rows.Required(0)),
-                      ViewRow{.object_class = std::string(rows.Required(1)),
-                              .instance = std::string(rows.Required(2)),
-                              .angle_deg = ReadAngle(rows, 3),
-                              .line = rows.line()});
-  }
-  return views;
-}
-
-void CheckName(const CsvRows& rows, Column column, std::string_view due, std::string_view remedy) {
-  if (rows.Text(column) == due) return;
-  rows.Fail(std::string(kColumns[column]) + " " + Quoted(rows.Text(column)) + "; " + Quoted(due) +
-                " is due",
-            std::string(remedy));
-}
-
-void CheckAgainstView(const CsvRows& rows, const Demonstration& item, const ViewRows& views) {
-  const auto found = views.find(item.view);
-  if (found == views.end()) {
-    rows.Fail("the view " + Quoted(item.view) + " is no image of views.csv beside it");
-  }
-  const ViewRow& view = found->second;
-  const auto check = [&](Column column, const std::string& own, const std::string& other) {
-    if (own == other) return;
-    rows.Fail(std::string(kColumns[column]) + " " + Quoted(own) + "; views.csv has " +
-              Quoted(other) + " for this view on line " + std::to_string(view.line));
-  };
-  check(kClass, item.object_class, view.object_class);
-  check(kInstance, item.instance, view.instance);
-  check(kAngle, AngleText(item.angle_deg), AngleText(view.angle_deg));
-}
-
-Demonstration ReadRow(const CsvRows& rows, const ViewRows& views) {
+Demonstration ReadRow(const CsvRows& rows, const NamedViews& views) {
   Demonstration item{.object_class = std::string(rows.Required(kClass)),
                      .instance = std::string(rows.Required(kInstance)),
                      .view = std::string(rows.Required(kView)),
                      .angle_deg = ReadAngle(rows, kAngle),
                      .pose = {}};
-  CheckName(rows, kFrameName, kFrame, "bring the poses into the frame of the views' clouds");
-  CheckName(rows,
-            kEndEffectorName,
-            kEndEffector,
-            "give the point between the fingertips, z the approach axis, x the closing axis");
+  CheckFrames(rows, kFrameName);
   item.pose = ReadPose(rows, kPose);
-  CheckAgainstView(rows, item, views);
+  const NamedViews::View& view = views.Find(rows, item.view, item.object_class, item.instance);
+  if (item.angle_deg != view.angle_deg) {
+    FailAgainstView(
+        rows, view, kColumns[kAngle], AngleText(item.angle_deg), AngleText(view.angle_deg));
+  }
   return item;
 }
 
@@ -119,8 +68,7 @@ std::string RowText(const Demonstration& item) {
        {item.object_class, item.instance, item.view, AngleText(item.angle_deg)}) {
     text += CsvField(part) + ",";
   }
-  text.append(kFrame).append(",").append(kEndEffector).append(",");
-  return text + PoseFields(item.pose) + "\n";
+  return text + FrameFields() + "," + PoseFields(item.pose) + "\n";
 }
 
 }  // namespace
@@ -133,7 +81,7 @@ DemonstrationSet ReadDemonstrationSet(const fs::path& root) {
                  .remedy = "see docs/datasets.md, or make one with handcraft data synth"});
   }
   CsvRows rows(path, kColumns);
-  const ViewRows views = ReadViewRows(root / "views.csv");
+  const NamedViews views(root);
   DemonstrationSet set{.root = root, .items = {}};
   while (rows.Next()) set.items.push_back(ReadRow(rows, views));
   if (set.items.empty()) throw Error({.path = path.string(), .reason = "no pose is listed"});

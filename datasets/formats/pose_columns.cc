@@ -19,6 +19,18 @@ std::array<double, kPoseColumns.size()> NumbersOf(const EndEffectorPose& pose) {
 // Never −0, which would be written "-0".
 double RoundToMillionths(double value) { return std::round(value * 1e6) / 1e6 + 0.0; }
 
+void CheckName(const CsvRows& rows,
+               std::size_t first,
+               std::size_t which,
+               std::string_view due,
+               std::string_view remedy) {
+  const std::string_view found = rows.Text(first + which);
+  if (found == due) return;
+  rows.Fail(std::string(kFrameColumns[which]) + " '" + std::string(found) + "'; '" +
+                std::string(due) + "' is due",
+            std::string(remedy));
+}
+
 }  // namespace
 
 Eigen::Isometry3d EndEffectorPose::ToIsometry() const {
@@ -55,6 +67,17 @@ EndEffectorPose ReadPose(const CsvRows& rows, std::size_t first) {
   }
   return pose;
 }
+
+void CheckFrames(const CsvRows& rows, std::size_t first) {
+  CheckName(rows, first, 0, kBaseFrame, "bring the poses into the frame of the views' clouds");
+  CheckName(rows,
+            first,
+            1,
+            kGraspCentre,
+            "give the point between the fingertips, z the approach axis, x the closing axis");
+}
+
+std::string FrameFields() { return std::string(kBaseFrame) + "," + std::string(kGraspCentre); }
 
 std::string PoseFields(const EndEffectorPose& pose) {
   std::string text;

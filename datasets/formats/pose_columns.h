@@ -31,6 +31,14 @@ struct EndEffectorPose {
 inline constexpr std::array<std::string_view, 7> kPoseColumns = {
     "x_m", "y_m", "z_m", "qx", "qy", "qz", "qw"};
 
+/// The columns that say what a pose is of: the end-effector, in the frame.
+inline constexpr std::array<std::string_view, 2> kFrameColumns = {"frame", "end_effector"};
+
+/// The frame of a view set's clouds, and the point between a hand's fingertips with z the approach
+/// axis and x the closing axis: the only ones that our files hold.
+inline constexpr std::string_view kBaseFrame = "base";
+inline constexpr std::string_view kGraspCentre = "grasp_centre";
+
 /// How far from 1 the length of a quaternion may be.
 inline constexpr double kUnitTolerance = 1e-3;
 
@@ -41,6 +49,13 @@ inline constexpr double kFarthestM = 100.0;
 /// a finite number, a position farther than kFarthestM along an axis (millimetres?), a quaternion
 /// whose length is not 1.
 [[nodiscard]] EndEffectorPose ReadPose(const CsvRows& rows, std::size_t first);
+
+/// Throws Error with the line when the two columns from `first` on name another frame or
+/// end-effector.
+void CheckFrames(const CsvRows& rows, std::size_t first);
+
+/// The two fields that CheckFrames takes. No comma before or after.
+[[nodiscard]] std::string FrameFields();
 
 /// The seven fields, each the shortest text that reads back as the same number. No comma before or
 /// after.

@@ -14,23 +14,47 @@ namespace {
 using Eigen::AlignedBox3f;
 using Eigen::Vector3f;
 
+// A finger's two boxes, on the side of +x.
 struct Finger {
   AlignedBox3f last_link;
   AlignedBox3f root;
 };
 
-// A finger on the side of +x whose contact is `contact_m` from the centre. (It may lie beyond the
-// centre: then the number is negative.)
-Finger SweptFinger(const Gripper& gripper, float contact_m, float y_m) {
+// Where a finger is: its contact, from the centre (beyond it the number is negative), and how far
+// out its outside comes.
+struct FingerPlace {
+  float contact_m = 0.0F;
+  float outside_m = 0.0F;
+};
+
+float LastInsideM(const Gripper& gripper, float contact_m) {
+  return contact_m + gripper.pad_slack_m;
+}
+
+float RootInsideM(const Gripper& gripper, float contact_m) {
+  return std::max(contact_m + gripper.stand_off_m, gripper.knuckle_m);
+}
+
+// All between the contact and the full opening.
+FingerPlace Swept(const Gripper& gripper, float contact_m) {
+  return {contact_m, 0.5F * gripper.max_opening_m + gripper.finger_thickness_m};
+}
+
+// The finger alone where it has come to rest, and what its root stands off.
+FingerPlace Closed(const Gripper& gripper, float contact_m) {
+  const float inside_m = std::max(LastInsideM(gripper, contact_m), RootInsideM(gripper, contact_m));
+  return {contact_m, inside_m + gripper.finger_thickness_m};
+}
+
+Finger MakeFinger(const Gripper& gripper, const FingerPlace& place, float y_m) {
   const float half_width_m = 0.5F * gripper.finger_width_m;
-  const float outside_m = 0.5F * gripper.max_opening_m + gripper.finger_thickness_m;
-  const float last_inside_m = contact_m + gripper.pad_slack_m;
-  const float root_inside_m = std::max(contact_m + gripper.stand_off_m, gripper.knuckle_m);
   const float joint_m = gripper.tip_m - gripper.last_link_m;
+  const float last_inside_m = LastInsideM(gripper, place.contact_m);
+  const float root_inside_m = RootInsideM(gripper, place.contact_m);
   return {.last_link = {Vector3f(last_inside_m, y_m - half_width_m, joint_m),
-                        Vector3f(outside_m, y_m + half_width_m, gripper.tip_m)},
+                        Vector3f(place.outside_m, y_m + half_width_m, gripper.tip_m)},
           .root = {Vector3f(root_inside_m, y_m - half_width_m, -gripper.finger_reach_m),
-                   Vector3f(outside_m, y_m + half_width_m, joint_m)}};
+                   Vector3f(place.outside_m, y_m + half_width_m, joint_m)}};
 }
 
 AlignedBox3f Mirrored(const AlignedBox3f& box) {
@@ -45,6 +69,32 @@ AlignedBox3f Mirrored(const AlignedBox3f& box) {
 AlignedBox3f Below(float top_m, const Vector3f& size_m) {
   return {Vector3f(-0.5F * size_m.x(), -0.5F * size_m.y(), top_m - size_m.z()),
           Vector3f(0.5F * size_m.x(), 0.5F * size_m.y(), top_m)};
+}
+
+template <class PlaceOf>
+GripperBoxes MakeBoxes(const Gripper& gripper,
+                       const ContactPlaces& contacts,
+                       const Eigen::Isometry3f& frame_from_grasp,
+                       const PlaceOf& place_of) {
+  const FingerPlace fingers = place_of(gripper, contacts.fingers_m);
+  const Finger thumb = MakeFinger(gripper, place_of(gripper, -contacts.thumb_m), 0.0F);
+  const Finger left = MakeFinger(gripper, fingers, gripper.finger_apart_m);
+  const Finger right = MakeFinger(gripper, fingers, -gripper.finger_apart_m);
+  const float palm_m = -gripper.finger_reach_m;
+  const std::array<AlignedBox3f, kNumGripperBoxes> boxes = {
+      left.last_link,
+      right.last_link,
+      Mirrored(thumb.last_link),
+      left.root,
+      right.root,
+      Mirrored(thumb.root),
+      Below(palm_m, gripper.palm_m),
+      Below(palm_m - gripper.palm_m.z(), gripper.wrist_m)};
+  GripperBoxes moved;
+  std::transform(boxes.begin(), boxes.end(), moved.begin(), [&](const AlignedBox3f& box) {
+    return MovedBox(box, frame_from_grasp);
+  });
+  return moved;
 }
 
 void RequirePositive(float value, const std::string& field) {
@@ -88,24 +138,20 @@ void Gripper::Validate() const {
 GripperBoxes SweptBoxes(const Gripper& gripper,
                         const ContactPlaces& contacts,
                         const Eigen::Isometry3f& frame_from_grasp) {
-  const Finger thumb = SweptFinger(gripper, -contacts.thumb_m, 0.0F);
-  const Finger left = SweptFinger(gripper, contacts.fingers_m, gripper.finger_apart_m);
-  const Finger right = SweptFinger(gripper, contacts.fingers_m, -gripper.finger_apart_m);
-  const float palm_m = -gripper.finger_reach_m;
-  const std::array<AlignedBox3f, kNumGripperBoxes> boxes = {
-      left.last_link,
-      right.last_link,
-      Mirrored(thumb.last_link),
-      left.root,
-      right.root,
-      Mirrored(thumb.root),
-      Below(palm_m, gripper.palm_m),
-      Below(palm_m - gripper.palm_m.z(), gripper.wrist_m)};
-  GripperBoxes moved;
-  std::transform(boxes.begin(), boxes.end(), moved.begin(), [&](const AlignedBox3f& box) {
-    return MovedBox(box, frame_from_grasp);
+  return MakeBoxes(gripper, contacts, frame_from_grasp, Swept);
+}
+
+GripperBoxes ClosedBoxes(const Gripper& gripper,
+                         const ContactPlaces& contacts,
+                         const Eigen::Isometry3f& frame_from_grasp) {
+  return MakeBoxes(gripper, contacts, frame_from_grasp, Closed);
+}
+
+bool Collide(const GripperBoxes& a, const GripperBoxes& b) {
+  return std::any_of(a.begin(), a.end(), [&](const OrientedBox& box) {
+    return std::any_of(
+        b.begin(), b.end(), [&](const OrientedBox& other) { return Overlap(box, other); });
   });
-  return moved;
 }
 
 }  // namespace handcraft::synthetic

@@ -65,4 +65,12 @@ using GripperBoxes = std::array<OrientedBox, kNumGripperBoxes>;
                                       const ContactPlaces& contacts,
                                       const Eigen::Isometry3f& frame_from_grasp);
 
+/// The hand alone, closed on the contacts.
+[[nodiscard]] GripperBoxes ClosedBoxes(const Gripper& gripper,
+                                       const ContactPlaces& contacts,
+                                       const Eigen::Isometry3f& frame_from_grasp);
+
+/// Whether any box of one hand overlaps any of the other.
+[[nodiscard]] bool Collide(const GripperBoxes& a, const GripperBoxes& b);
+
 }  // namespace handcraft::synthetic

@@ -60,6 +60,22 @@ TEST(ReadPose, RefusesWhatIsNoPose) {
   EXPECT_THROWS_MESSAGE(ReadFields("0,0,0,0,0,inf,1"), Error, HasSubstr("'qz': 'inf' is not"));
 }
 
+TEST(CheckFrames, TakesTheOneFrameAndEndEffector) {
+  const TemporaryDirectory folder;
+  WriteFileAtomically(
+      folder / "poses.csv",
+      "frame,end_effector\n" + FrameFields() + "\ncamera,grasp_centre\nbase,tool0\n");
+  CsvRows rows(folder / "poses.csv", kFrameColumns);
+  ASSERT_TRUE(rows.Next());
+  CheckFrames(rows, 0);
+  ASSERT_TRUE(rows.Next());
+  EXPECT_THROWS_MESSAGE(
+      CheckFrames(rows, 0), Error, HasSubstr("poses.csv:3: frame 'camera'; 'base' is due (bring"));
+  ASSERT_TRUE(rows.Next());
+  EXPECT_THROWS_MESSAGE(
+      CheckFrames(rows, 0), Error, HasSubstr(":4: end_effector 'tool0'; 'grasp_centre' is due"));
+}
+
 TEST(PoseFields, ComeBackAsTheyWere) {
   Rng rng = Rng::Stream(1, "poses");
   for (int i = 0; i < 50; ++i) {

@@ -54,6 +54,36 @@ TEST(SweptBoxes, ReachFromTheContactsToTheOpening) {
   EXPECT_NEAR(thumb.min().x(), -outside_m, 1e-6F);
 }
 
+TEST(ClosedBoxes, LieWithinTheSweptOnesAndAreAsThickAsAFinger) {
+  const Gripper gripper;
+  const ContactPlaces contacts{-0.02F, 0.045F};
+  const GripperBoxes swept = SweptBoxes(gripper, contacts, Isometry3f::Identity());
+  const GripperBoxes closed = ClosedBoxes(gripper, contacts, Isometry3f::Identity());
+  for (std::size_t i = 0; i < kNumGripperBoxes; ++i) {
+    EXPECT_TRUE(Around(swept[i]).contains(Around(closed[i]))) << i;
+  }
+  // The fingers' last links come to 0.05, their roots to 0.053; both end a finger's thickness
+  // behind that.
+  EXPECT_NEAR(Around(closed[0]).min().x(), 0.05F, 1e-6F);
+  EXPECT_NEAR(Around(closed[0]).max().x(), 0.053F + gripper.finger_thickness_m, 1e-6F);
+  EXPECT_NEAR(Around(closed[3]).min().x(), 0.053F, 1e-6F);
+  EXPECT_NEAR(Around(closed[5]).max().x(), -gripper.knuckle_m, 1e-6F) << "the thumb stands upright";
+}
+
+TEST(Collide, FindsHandsThatMeet) {
+  const GripperBoxes hand = ClosedBoxes({}, {-0.03F, 0.03F}, Isometry3f::Identity());
+  const auto other_at = [](float x_m, float turn_rad) {
+    const Isometry3f pose = Eigen::Translation3f(x_m, 0.0F, 0.0F) *
+                            Isometry3f(Eigen::AngleAxisf(turn_rad, Vector3f::UnitX()));
+    return ClosedBoxes({}, {-0.03F, 0.03F}, pose);
+  };
+  EXPECT_TRUE(Collide(hand, hand));
+  EXPECT_FALSE(Collide(hand, other_at(0.5F, 0.0F)));
+  EXPECT_TRUE(Collide(hand, other_at(0.12F, 0.0F))) << "palms are 0.13 m wide";
+  EXPECT_FALSE(Collide(hand, other_at(0.131F, 0.0F)));
+  EXPECT_TRUE(Collide(hand, other_at(0.0F, 3.14F))) << "face to face, the fingers meet";
+}
+
 TEST(SweptBoxes, HangTogether) {
   const Gripper gripper;
   gripper.Validate();
