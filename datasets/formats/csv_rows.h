@@ -30,6 +30,9 @@ class CsvRows {
   /// fewer fields than the first line has.
   [[nodiscard]] bool Next();
 
+  /// The column's name, as it was asked for.
+  [[nodiscard]] std::string_view Name(std::size_t column) const;
+
   /// The field as it stands, valid as long as the object lives; empty where an optional column is
   /// missing.
   [[nodiscard]] std::string_view Text(std::size_t column) const;
@@ -50,7 +53,6 @@ class CsvRows {
  private:
   static constexpr std::size_t kMissing = static_cast<std::size_t>(-1);
   [[nodiscard]] std::size_t Find(std::string_view column) const;
-  [[nodiscard]] std::string_view Name(std::size_t column) const;
 
   CsvRecords records_;
   std::span<const std::string_view> columns_;

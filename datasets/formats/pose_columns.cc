@@ -51,8 +51,8 @@ EndEffectorPose ReadPose(const CsvRows& rows, std::size_t first) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double coordinate_m = rows.Number(first + axis);
     if (std::abs(coordinate_m) > kFarthestM) {
-      rows.Fail("column '" + std::string(kPoseColumns[axis]) + "': " + NumberToText(coordinate_m) +
-                    " m is out of a robot's reach",
+      rows.Fail("column '" + std::string(rows.Name(first + axis)) +
+                    "': " + NumberToText(coordinate_m) + " m is out of a robot's reach",
                 "give metres");
     }
     pose.position_m[static_cast<Eigen::Index>(axis)] = coordinate_m;

@@ -58,6 +58,7 @@ TEST(ReadHoldSet, NamesTheLineOfWhatIsWrong) {
   };
   expect(RowWith("0.6,1,", "0.6,1.5,"), "the quaternion has length 1.5");
   expect(RowWith("-0.5", "inf"), "column 'left_y_m': 'inf' is not a finite number");
+  expect(RowWith("-0.5", "-500"), "column 'left_y_m': -500 m is out of a robot's reach");
   expect(RowWith("0.1", ""), "column 'right_x_m': nothing where a number is due");
   expect(RowWith("base", "world"), "frame 'world'; 'base' is due");
   expect(RowWith("drill.png", "mug.png"), "the view 'mug.png' is no image of views.csv beside it");
