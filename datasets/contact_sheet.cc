@@ -4,55 +4,85 @@
 #include "datasets/contact_sheet.h"
 
 #include <algorithm>
-#include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <map>
-#include <string>
-#include <vector>
+#include <string_view>
+#include <utility>
 
+#include <fmt/format.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "datasets/parallel_reporting.h"
+#include "lib/core/check.h"
 #include "lib/core/error.h"
 #include "lib/core/option_rules.h"
+#include "lib/perception/image_header.h"
 #include "lib/perception/overlay.h"
 
 namespace handcraft::datasets {
 namespace {
 
-// Which pictures of each class are shown.
-std::map<std::string, std::vector<std::size_t>> ChooseByClass(const LabelledImageSet& set,
-                                                              std::size_t count) {
-  std::map<std::string, std::vector<std::size_t>> by_class;
-  for (std::size_t i = 0; i < set.items.size(); ++i) {
-    by_class[set.items[i].object_class].push_back(i);
+constexpr int kCaptionPx = 16;
+constexpr int kGapPx = 4;
+
+// A part of a sheet that a picture is scaled into.
+struct Tile {
+  int left = 0;
+  int top = 0;
+  int width = 0;
+
+  [[nodiscard]] int Height() const { return width * 3 / 4; }
+};
+
+// Throws Error for a sheet larger than a picture may be.
+Image BlackSheet(int width, int height) {
+  if (width > perception::kMaxImageSide_px || height > perception::kMaxImageSide_px ||
+      width > perception::kMaxImagePixels / height) {
+    throw Error({.kind = Error::Kind::kUsage,
+                 .reason = fmt::format("a sheet of {}x{} pixels is too large", width, height),
+                 .remedy = "show fewer pictures, or smaller ones"});
   }
-  for (auto& [name, indices] : by_class) {
-    std::vector<std::size_t> chosen;
-    const std::size_t num_chosen = std::min(count, indices.size());
-    chosen.reserve(num_chosen);
-    for (std::size_t i = 0; i < num_chosen; ++i) {
-      chosen.push_back(indices[i * indices.size() / num_chosen]);
-    }
-    indices = std::move(chosen);
-  }
-  return by_class;
+  return {width, height, 3};
 }
 
-// Scales a picture in colour into its tile, whose corner is at (left, top).
-void PlaceTile(const Image& picture, cv::Mat& sheet, const cv::Rect& tile) {
+cv::Mat Pixels(Image& image) { return {image.height(), image.width(), CV_8UC3, image.Row(0)}; }
+
+void Place(const Image& picture, const Tile& tile, Image& sheet) {
+  HC_CHECK(picture.channels() == 3 && !picture.empty(), picture.channels(), picture.width());
   // OpenCV takes no pointer to const, but only reads.
   const cv::Mat pixels(
       picture.height(), picture.width(), CV_8UC3, const_cast<std::uint8_t*>(picture.Row(0)));
   const double scale = std::min(static_cast<double>(tile.width) / picture.width(),
-                                static_cast<double>(tile.height) / picture.height());
+                                static_cast<double>(tile.Height()) / picture.height());
   const cv::Size size(std::max(cvRound(scale * picture.width()), 1),
                       std::max(cvRound(scale * picture.height()), 1));
-  const cv::Rect place(tile.x + (tile.width - size.width) / 2,
-                       tile.y + (tile.height - size.height) / 2,
-                       size.width,
-                       size.height);
-  cv::Mat target = sheet(place);
+  cv::Mat target = Pixels(sheet)(cv::Rect(tile.left + (tile.width - size.width) / 2,
+                                          tile.top + (tile.Height() - size.height) / 2,
+                                          size.width,
+                                          size.height));
   cv::resize(pixels, target, size, 0.0, 0.0, cv::INTER_AREA);
+}
+
+// OpenCV's letters are ASCII; of a longer text the end tells more than the beginning.
+void WriteCaption(std::string text, const Tile& tile, Image& sheet) {
+  constexpr double kFontScale = 0.35;
+  constexpr int kLetterPx = 7;  // the widest letter at that scale
+  const auto room = static_cast<std::size_t>(std::max(tile.width / kLetterPx, 2));
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  if (text.size() > room) text = ".." + text.substr(text.size() - (room - 2));
+  cv::Mat strip =
+      Pixels(sheet)(cv::Rect(tile.left, tile.top + tile.Height(), tile.width, kCaptionPx));
+  cv::putText(strip,
+              text,
+              {1, kCaptionPx - 5},
+              cv::FONT_HERSHEY_SIMPLEX,
+              kFontScale,
+              cv::Scalar::all(220),
+              1,
+              cv::LINE_AA);
 }
 
 void RoundColours(Image& sheet) {
@@ -65,45 +95,124 @@ void RoundColours(Image& sheet) {
   }
 }
 
-}  // namespace
-
-void ContactSheetOptions::Validate() const {
-  RequireOption(images_per_class >= 1 && images_per_class <= 100,
-                "ContactSheetOptions.images_per_class",
-                images_per_class,
-                "from 1 to 100");
-  RequireOption(tile_width_px >= 16 && tile_width_px <= 640,
-                "ContactSheetOptions.tile_width_px",
-                tile_width_px,
-                "from 16 to 640");
+// The pictures of each row that are shown.
+std::map<std::string_view, std::vector<const SheetPicture*>> ChooseByRow(
+    const std::vector<SheetPicture>& pictures, std::size_t count) {
+  std::map<std::string_view, std::vector<const SheetPicture*>> rows;
+  for (const SheetPicture& picture : pictures) rows[picture.row].push_back(&picture);
+  for (auto& [name, row] : rows) {
+    std::vector<const SheetPicture*> chosen;
+    const std::size_t num_chosen = std::min(count, row.size());
+    for (std::size_t i = 0; i < num_chosen; ++i) chosen.push_back(row[i * row.size() / num_chosen]);
+    row = std::move(chosen);
+  }
+  return rows;
 }
 
-Image MakeContactSheet(const LabelledImageSet& set, const ContactSheetOptions& options) {
+void RequireTileWidth(const std::string& field, int width_px) {
+  RequireOption(width_px >= 16 && width_px <= 640, field, width_px, "from 16 to 640");
+}
+
+void RequireUpTo100(const std::string& field, int value) {
+  RequireOption(value >= 1 && value <= 100, field, value, "from 1 to 100");
+}
+
+}  // namespace
+
+std::vector<SheetPicture> SheetPicturesOf(const LabelledImageSet& set) {
+  std::vector<SheetPicture> pictures;
+  for (std::size_t i = 0; i < set.items.size(); ++i) {
+    const LabelledImage& item = set.items[i];
+    pictures.push_back({.row = item.object_class,
+                        .caption = std::filesystem::path(item.image).stem().string(),
+                        .draw = [&set, i] {
+                          const LabelledPicture picture = ReadLabelledPicture(set, i);
+                          const Image no_labels(picture.mask.width(), picture.mask.height());
+                          return std::vector<Image>{
+                              perception::DrawLabelMask(picture.image, no_labels),
+                              perception::DrawLabelMask(picture.image, picture.mask)};
+                        }});
+  }
+  return pictures;
+}
+
+void OverviewOptions::Validate() const {
+  RequireUpTo100("OverviewOptions.images_per_class", images_per_class);
+  RequireTileWidth("OverviewOptions.tile_width_px", tile_width_px);
+  RequireOption(num_threads >= 1, "OverviewOptions.num_threads", num_threads, "1 or more");
+}
+
+Image DrawOverview(const std::vector<SheetPicture>& pictures, const OverviewOptions& options) {
   options.Validate();
-  if (set.items.empty()) {
-    throw Error({.path = set.root.string(), .reason = "the set has no pictures to show"});
+  if (pictures.empty()) throw Error({.reason = "the set has no pictures to show"});
+  const auto rows = ChooseByRow(pictures, static_cast<std::size_t>(options.images_per_class));
+  std::vector<std::pair<const SheetPicture*, Tile>> places;  // of each the first of its tiles
+  std::size_t most = 0;
+  int top = 0;
+  for (const auto& [name, row] : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i)
+      places.push_back({row[i], {static_cast<int>(i), top, options.tile_width_px}});
+    most = std::max(most, row.size());
+    top += places.back().second.Height();
   }
-  const auto by_class = ChooseByClass(set, static_cast<std::size_t>(options.images_per_class));
-  std::size_t columns = 0;
-  for (const auto& [name, indices] : by_class) columns = std::max(columns, indices.size());
-  const int width = options.tile_width_px;
-  const int height = width * 3 / 4;
-  Image sheet(2 * width * static_cast<int>(columns), height * static_cast<int>(by_class.size()), 3);
-  cv::Mat pixels(sheet.height(), sheet.width(), CV_8UC3, sheet.Row(0));
-  int row = 0;
-  for (const auto& [name, indices] : by_class) {
-    Report(options.progress, "drawing classes", static_cast<std::size_t>(row), by_class.size());
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-      const LabelledPicture picture = ReadLabelledPicture(set, indices[i]);
-      const cv::Rect tile(2 * width * static_cast<int>(i), height * row, width, height);
-      const Image unlabelled(picture.mask.width(), picture.mask.height());
-      PlaceTile(perception::DrawLabelMask(picture.image, unlabelled), pixels, tile);
-      PlaceTile(perception::DrawLabelMask(picture.image, picture.mask),
-                pixels,
-                tile + cv::Point(width, 0));
+  const std::vector<Image> first = places.front().first->draw();
+  const int tiles_each = static_cast<int>(first.size());
+  Image sheet = BlackSheet(options.tile_width_px * tiles_each * static_cast<int>(most), top);
+  const auto draw = [&](std::size_t i) {  // tiles do not overlap, so threads may draw at once
+    Tile tile = places[i].second;
+    tile.left *= tiles_each * tile.width;
+    const std::vector<Image> drawn = i == 0 ? first : places[i].first->draw();
+    for (const Image& picture : drawn) {
+      Place(picture, tile, sheet);
+      tile.left += tile.width;
     }
-    ++row;
+  };
+  ParallelForReporting(
+      places.size(), options.num_threads, options.progress, "drawing pictures", draw);
+  RoundColours(sheet);
+  return sheet;
+}
+
+void PageOptions::Validate() const {
+  RequireOption(page >= 1, "PageOptions.page", page, "1 or more");
+  RequireUpTo100("PageOptions.columns", columns);
+  RequireUpTo100("PageOptions.rows", rows);
+  RequireTileWidth("PageOptions.tile_width_px", tile_width_px);
+  RequireOption(num_threads >= 1, "PageOptions.num_threads", num_threads, "1 or more");
+}
+
+int NumPages(std::size_t num_pictures, const PageOptions& options) {
+  const auto per_page = static_cast<std::size_t>(options.columns * options.rows);
+  return static_cast<int>((num_pictures + per_page - 1) / per_page);
+}
+
+Image DrawPage(const std::vector<SheetPicture>& pictures, const PageOptions& options) {
+  options.Validate();
+  if (options.page > NumPages(pictures.size(), options)) {
+    throw Error({.kind = Error::Kind::kUsage,
+                 .reason = fmt::format("no page {}: {} pictures fill {} pages of {}",
+                                       options.page,
+                                       pictures.size(),
+                                       NumPages(pictures.size(), options),
+                                       options.columns * options.rows)});
   }
+  const auto columns = static_cast<std::size_t>(options.columns);
+  const std::size_t per_page = columns * static_cast<std::size_t>(options.rows);
+  const std::size_t first = per_page * static_cast<std::size_t>(options.page - 1);
+  const std::size_t count = std::min(per_page, pictures.size() - first);
+  const int width = options.tile_width_px;
+  const int cell_height = Tile{.width = width}.Height() + kCaptionPx + kGapPx;
+  const std::size_t used_rows = (count + columns - 1) / columns;
+  Image sheet = BlackSheet((width + kGapPx) * static_cast<int>(std::min(columns, count)),
+                           cell_height * static_cast<int>(used_rows));
+  const auto draw = [&](std::size_t i) {
+    const Tile tile{.left = (width + kGapPx) * static_cast<int>(i % columns),
+                    .top = cell_height * static_cast<int>(i / columns),
+                    .width = width};
+    Place(pictures[first + i].draw().back(), tile, sheet);
+    WriteCaption(pictures[first + i].caption, tile, sheet);
+  };
+  ParallelForReporting(count, options.num_threads, options.progress, "drawing pictures", draw);
   RoundColours(sheet);
   return sheet;
 }

@@ -3,26 +3,66 @@
 
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
 #include "datasets/formats/labelled_image_set.h"
 #include "lib/core/image.h"
 #include "lib/core/progress.h"
 
+/// Pictures of many pictures, to look a data set over. Each is scaled to fit its tile, three
+/// quarters as high as wide, on black; colours are rounded to 32 levels, so that files stay small.
+/// Same pictures, same bytes for any number of threads; Error for what cannot be read or drawn.
 namespace handcraft::datasets {
 
-struct ContactSheetOptions {
-  int images_per_class = 2;  ///< at most this many of each class, evenly spread over it; 1 ... 100
-  int tile_width_px = 128;   ///< a tile is three quarters as high; 16 ... 640
+/// A picture that a sheet may show.
+struct SheetPicture {
+  std::string row;      ///< pictures of the same name stand in one row: the class
+  std::string caption;  ///< what a page writes under it
+  /// The picture and what is known of it, side by side: as many for each of a set, in blue, green,
+  /// red. Called at most once a sheet, from any thread.
+  std::function<std::vector<Image>()> draw;
+};
+
+/// Each picture of a set as it is and with its labels over it (good green, don't care blue). The
+/// set must outlive them.
+[[nodiscard]] std::vector<SheetPicture> SheetPicturesOf(const LabelledImageSet& set);
+
+struct OverviewOptions {
+  int images_per_class = 2;  ///< at most this many of each row, evenly spread over it; 1 ... 100
+  int tile_width_px = 128;   ///< 16 ... 640
+  int num_threads = 1;
   Progress progress = {};
 
   /// Throws Error(kUsage) naming field, value and rule.
   void Validate() const;
 };
 
-/// One picture of a whole set: a row a class, in alphabetical order, and in it each picture twice,
-/// as it is and with its labels over it (good green, don't care blue). Pictures are scaled to fit
-/// their tile, on black. Colours are rounded to 32 levels, so that the file stays small. Throws
-/// Error for pictures and masks that cannot be read, and for a set without pictures.
-[[nodiscard]] Image MakeContactSheet(const LabelledImageSet& set,
-                                     const ContactSheetOptions& options);
+/// One sheet for all: a row for each name, in alphabetical order. Throws Error when there are no
+/// pictures.
+[[nodiscard]] Image DrawOverview(const std::vector<SheetPicture>& pictures,
+                                 const OverviewOptions& options);
+
+struct PageOptions {
+  int page = 1;             ///< which, from 1
+  int columns = 6;          ///< pictures side by side; 1 ... 100
+  int rows = 8;             ///< 1 ... 100
+  int tile_width_px = 160;  ///< 16 ... 640
+  int num_threads = 1;
+  Progress progress = {};
+
+  /// Throws Error(kUsage) naming field, value and rule.
+  void Validate() const;
+};
+
+/// How many pages of columns × rows hold so many pictures.
+[[nodiscard]] int NumPages(std::size_t num_pictures, const PageOptions& options);
+
+/// One page of all the pictures in their order, each with its labels alone (the last that it draws)
+/// and its caption. Draws no picture but those of the page, so a large set can be leafed through.
+/// Throws Error(kUsage) for a page that is not there.
+[[nodiscard]] Image DrawPage(const std::vector<SheetPicture>& pictures, const PageOptions& options);
 
 }  // namespace handcraft::datasets

@@ -17,6 +17,7 @@ void AddDataCheck(CLI::App& parent, const Console& console);
 void AddDataExport(CLI::App& parent, const Console& console);
 void AddDataImport(CLI::App& parent, const Console& console);
 void AddDataPreview(CLI::App& parent, const Console& console);
+void AddDataSplit(CLI::App& parent, const Console& console);
 void AddDataSynth(CLI::App& parent, const Console& console);
 void AddTrainGraspPoints(CLI::App& parent, const Console& console);
 void AddTrainLogistic(CLI::App& parent, const Console& console);

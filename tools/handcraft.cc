@@ -58,6 +58,7 @@ void AddCommands(CLI::App& app, const Console& console) {
   AddDataExport(data, console);
   AddDataImport(data, console);
   AddDataPreview(data, console);
+  AddDataSplit(data, console);
   AddDataSynth(data, console);
   CLI::App& train = AddGroup(app, "train", "Fit a model and write it to a file");
   AddTrainGraspPoints(train, console);

@@ -38,22 +38,21 @@ constexpr std::array<Column, 6> kColumns = {{{"image", &LabelledImage::image, fa
 
 std::string Quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 
-// For each of kColumns its place in the header line; others are ignored.
-std::array<std::size_t, kColumns.size()> FindColumns(const CsvRecords& records,
-                                                     const std::vector<std::string_view>& header) {
-  std::array<std::size_t, kColumns.size()> places{};
-  for (std::size_t i = 0; i < kColumns.size(); ++i) {
-    const auto found = std::find(header.begin(), header.end(), kColumns[i].name);
-    if (found == header.end()) {
-      records.Fail("no column " + Quoted(kColumns[i].name),
+// The header line, each name once, with all that must be there.
+std::vector<std::string> ReadHeader(const CsvRecords& records,
+                                    const std::vector<std::string_view>& fields) {
+  std::set<std::string_view> names;
+  for (const std::string_view name : fields) {
+    if (!names.insert(name).second && !name.empty())
+      records.Fail("column " + Quoted(name) + " appears twice");
+  }
+  for (const Column& column : kColumns) {
+    if (names.count(column.name) == 0) {
+      records.Fail("no column " + Quoted(column.name),
                    "the first line names the columns: image,mask,class,instance,split,licence");
     }
-    if (std::find(found + 1, header.end(), kColumns[i].name) != header.end()) {
-      records.Fail("column " + Quoted(kColumns[i].name) + " appears twice");
-    }
-    places[i] = static_cast<std::size_t>(found - header.begin());
   }
-  return places;
+  return {fields.begin(), fields.end()};
 }
 
 void CheckPath(const CsvRecords& records, std::string_view column, const std::string& text) {
@@ -91,19 +90,38 @@ class SeenBefore {
 };
 
 LabelledImage ReadRow(const CsvRecords& records,
-                      const std::vector<std::string_view>& fields,
-                      const std::array<std::size_t, kColumns.size()>& places) {
+                      const std::vector<std::string>& header,
+                      const std::vector<std::string_view>& fields) {
   LabelledImage item;
-  for (std::size_t i = 0; i < kColumns.size(); ++i) {
-    const std::string_view value = fields[places[i]];
-    if (value.empty() && !kColumns[i].may_be_empty) {
-      records.Fail("no " + std::string(kColumns[i].name) + " given");
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    const auto column = std::find_if(kColumns.begin(), kColumns.end(), [&](const Column& known) {
+      return known.name == header[i];
+    });
+    if (column == kColumns.end()) {
+      if (!fields[i].empty() && !header[i].empty()) item.others.emplace(header[i], fields[i]);
+      continue;
     }
-    item.*kColumns[i].field = std::string(value);
+    if (fields[i].empty() && !column->may_be_empty) records.Fail("no " + header[i] + " given");
+    item.*column->field = std::string(fields[i]);
   }
   CheckPath(records, "image", item.image);
   CheckPath(records, "mask", item.mask);
+  for (const std::string_view name : kCompanions) CheckPath(records, name, item.Companion(name));
   return item;
+}
+
+// The names of the columns besides the six, in the order in which they are written.
+std::vector<std::string> OtherColumns(const LabelledImageSet& set) {
+  std::set<std::string> names;
+  for (const LabelledImage& item : set.items) {
+    for (const auto& [name, value] : item.others) names.insert(name);
+  }
+  std::vector<std::string> columns;
+  for (const std::string_view companion : kCompanions) {
+    if (names.erase(std::string(companion)) > 0) columns.emplace_back(companion);
+  }
+  columns.insert(columns.end(), names.begin(), names.end());
+  return columns;
 }
 
 void CheckSameSize(const LabelledPicture& picture, const fs::path& mask_path) {
@@ -132,33 +150,40 @@ void CheckMaskValues(const Image& mask, const fs::path& path) {
 
 std::string FileDigest(const fs::path& path) { return Sha256Hex(ReadFile(path)); }
 
-void FindFaultsOfMask(const Image& mask, const std::string& path, std::vector<Fault>& faults) {
-  const auto& values = mask.values();
-  const auto has = [&](std::uint8_t value) {
-    return std::find(values.begin(), values.end(), value) != values.end();
-  };
-  if (!has(kMaskGood)) faults.push_back({path, "no good pixel (255): the picture is left out"});
-  if (!has(kMaskBad)) faults.push_back({path, "no bad pixel (0): the picture is left out"});
+// The items whose field has this value; all when it is empty.
+LabelledImageSet Choose(const LabelledImageSet& set,
+                        std::string LabelledImage::*field,
+                        std::string_view column,
+                        const std::string& value) {
+  if (value.empty()) return set;
+  LabelledImageSet chosen{.root = set.root, .items = {}};
+  std::set<std::string> values;
+  for (const LabelledImage& item : set.items) {
+    values.insert(item.*field);
+    if (item.*field == value) chosen.items.push_back(item);
+  }
+  if (!chosen.items.empty()) return chosen;
+  std::string names;
+  for (const std::string& name : values) names += (names.empty() ? "" : ", ") + Quoted(name);
+  throw Error(
+      {.kind = Error::Kind::kUsage,
+       .path = set.root.string(),
+       .reason = "no " + std::string(column) + " " + Quoted(value) + "; there are: " + names});
 }
 
 }  // namespace
 
-LabelledImageSet LabelledImageSet::Only(const std::string& split) const {
-  if (split.empty()) return *this;
-  LabelledImageSet chosen{.root = root, .items = {}};
-  std::set<std::string> splits;
-  for (const LabelledImage& item : items) {
-    splits.insert(item.split);
-    if (item.split == split) chosen.items.push_back(item);
-  }
-  if (chosen.items.empty()) {
-    std::string names;
-    for (const std::string& name : splits) names += (names.empty() ? "" : ", ") + Quoted(name);
-    throw Error({.kind = Error::Kind::kUsage,
-                 .path = root.string(),
-                 .reason = "no split " + Quoted(split) + "; there are: " + names});
-  }
-  return chosen;
+std::string LabelledImage::Companion(std::string_view column) const {
+  const auto found = others.find(column);
+  return found == others.end() ? std::string() : found->second;
+}
+
+LabelledImageSet LabelledImageSet::Only(const std::string& wanted) const {
+  return Choose(*this, &LabelledImage::split, "split", wanted);
+}
+
+LabelledImageSet LabelledImageSet::OnlyClass(const std::string& wanted) const {
+  return Choose(*this, &LabelledImage::object_class, "class", wanted);
 }
 
 LabelledImageSet ReadLabelledImageSet(const fs::path& root) {
@@ -171,17 +196,16 @@ LabelledImageSet ReadLabelledImageSet(const fs::path& root) {
   CsvRecords records(path);
   std::vector<std::string_view> fields;
   if (!records.Next(fields)) throw Error({.path = path.string(), .reason = "the file is empty"});
-  const std::size_t num_columns = fields.size();
-  const auto places = FindColumns(records, fields);
+  const std::vector<std::string> header = ReadHeader(records, fields);
 
   LabelledImageSet set{.root = root, .items = {}};
   SeenBefore seen;
   while (records.Next(fields)) {
-    if (fields.size() != num_columns) {
+    if (fields.size() != header.size()) {
       records.Fail(std::to_string(fields.size()) + " fields; the first line has " +
-                   std::to_string(num_columns));
+                   std::to_string(header.size()));
     }
-    set.items.push_back(ReadRow(records, fields, places));
+    set.items.push_back(ReadRow(records, header, fields));
     seen.Check(records, set.items.back());
   }
   if (set.items.empty()) throw Error({.path = path.string(), .reason = "no image is listed"});
@@ -189,11 +213,15 @@ LabelledImageSet ReadLabelledImageSet(const fs::path& root) {
 }
 
 void WriteManifest(const LabelledImageSet& set) {
-  std::string text = "image,mask,class,instance,split,licence\n";
+  const std::vector<std::string> others = OtherColumns(set);
+  std::string text = "image,mask,class,instance,split,licence";
+  for (const std::string& name : others) text += "," + CsvField(name);
+  text += '\n';
   for (const LabelledImage& item : set.items) {
     for (std::size_t i = 0; i < kColumns.size(); ++i) {
       text += (i == 0 ? "" : ",") + CsvField(item.*kColumns[i].field);
     }
+    for (const std::string& name : others) text += "," + CsvField(item.Companion(name));
     text += '\n';
   }
   WriteFileAtomically(set.root / kManifestName, text);
@@ -240,30 +268,6 @@ std::string Fingerprint(const LabelledImageSet& set) {
   Sha256 hash;
   for (const std::string& line : lines) hash.Update(line);
   return hash.HexDigest();
-}
-
-std::vector<Fault> FindFaults(const LabelledImageSet& set) {
-  std::vector<Fault> faults;
-  std::map<std::string, std::size_t> first_of_content;
-  for (std::size_t i = 0; i < set.items.size(); ++i) {
-    const LabelledImage& item = set.items[i];
-    try {
-      FindFaultsOfMask(ReadLabelledPicture(set, i).mask, item.mask, faults);
-      const auto [first, is_new] =
-          first_of_content.try_emplace(FileDigest(set.root / item.image), i);
-      if (!is_new) {
-        const LabelledImage& twin = set.items[first->second];
-        faults.push_back({item.image,
-                          "the same picture as " + twin.image +
-                              (twin.split == item.split ? "" : ", which is in another split")});
-      }
-    } catch (const Error& error) {
-      const Error::Details& details = error.details();
-      faults.push_back(
-          {fs::path(details.path).lexically_relative(set.root).string(), details.reason});
-    }
-  }
-  return faults;
 }
 
 }  // namespace handcraft::datasets

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/formats/labelled_image_set.h"
+#include "datasets/formats/fault.h"
 #include "datasets/formats/organised_cloud.h"
 #include "lib/core/image.h"
 

@@ -72,16 +72,21 @@ std::vector<Plan> MakePlans(const GraspPointSetOptions& options) {
   return plans;
 }
 
-datasets::LabelledImage Describe(const Plan& plan) {
+datasets::LabelledImage Describe(const Plan& plan, bool with_right) {
   const bool is_test = plan.kind->family == Family::kNovel ||
                        plan.kind->family == Family::kUntaught ||
                        plan.instance % kInstancesPerTestInstance == kInstancesPerTestInstance - 1;
-  return {.image = plan.Path("images", ".png"),
-          .mask = plan.Path("masks", ".png"),
-          .object_class = std::string(plan.kind->name),
-          .instance = fmt::format("{}_{:04}", plan.kind->name, plan.instance),
-          .split = is_test ? "test" : "train",
-          .licence = std::string(kSyntheticLicence)};
+  datasets::LabelledImage item{.image = plan.Path("images", ".png"),
+                               .mask = plan.Path("masks", ".png"),
+                               .object_class = std::string(plan.kind->name),
+                               .instance = fmt::format("{}_{:04}", plan.kind->name, plan.instance),
+                               .split = is_test ? "test" : "train",
+                               .licence = std::string(kSyntheticLicence)};
+  item.others.emplace(datasets::kObjectMask, plan.Path("object_masks", ".png"));
+  item.others.emplace(datasets::kDepth, plan.Path("depth", ".png"));
+  item.others.emplace(datasets::kScene, plan.Path("scenes", ".toml"));
+  if (with_right) item.others.emplace(datasets::kRightImage, plan.Path("images", "_right.png"));
+  return item;
 }
 
 std::string ParametersToToml(const GraspPointSetOptions& options, std::size_t num_images) {
@@ -139,26 +144,6 @@ void MakePicture(const Plan& plan, const fs::path& root, const GraspPointSetOpti
   WriteSceneFiles(root, plan.name, files);
 }
 
-void WriteSyntheticManifest(const fs::path& out, const std::vector<Plan>& plans, bool with_right) {
-  std::string text = "image,mask,class,instance,split,licence,object_mask,depth,scene";
-  text += with_right ? ",right_image\n" : "\n";
-  for (const Plan& plan : plans) {
-    const datasets::LabelledImage item = Describe(plan);
-    text += fmt::format("{},{},{},{},{},{},{},{},{}",
-                        item.image,
-                        item.mask,
-                        item.object_class,
-                        item.instance,
-                        item.split,
-                        item.licence,
-                        plan.Path("object_masks", ".png"),
-                        plan.Path("depth", ".png"),
-                        plan.Path("scenes", ".toml"));
-    text += with_right ? "," + plan.Path("images", "_right.png") + "\n" : "\n";
-  }
-  WriteFileAtomically(out / "manifest.csv", text);
-}
-
 }  // namespace
 
 void GraspPointSetOptions::Validate() const {
@@ -184,9 +169,9 @@ datasets::LabelledImageSet MakeGraspPointSet(const fs::path& out,
                                  options.progress,
                                  "rendering pictures",
                                  [&](std::size_t i) { MakePicture(plans[i], out, options); });
-  WriteSyntheticManifest(out, plans, options.with_right);
   datasets::LabelledImageSet set{.root = out, .items = {}};
-  for (const Plan& plan : plans) set.items.push_back(Describe(plan));
+  for (const Plan& plan : plans) set.items.push_back(Describe(plan, options.with_right));
+  datasets::WriteManifest(set);
   return set;
 }
 

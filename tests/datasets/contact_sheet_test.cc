@@ -26,10 +26,11 @@ LabelledImageSet TwoClasses(const std::filesystem::path& root) {
   return set;
 }
 
-TEST(MakeContactSheet, HasARowAClassAndEachPictureTwice) {
+TEST(DrawOverview, HasARowAClassAndEachPictureTwice) {
   const TemporaryDirectory folder;
+  const LabelledImageSet set = TwoClasses(folder.path());
   const Image sheet =
-      MakeContactSheet(TwoClasses(folder.path()), {.images_per_class = 3, .tile_width_px = 40});
+      DrawOverview(SheetPicturesOf(set), {.images_per_class = 3, .tile_width_px = 40});
   ASSERT_EQ(sheet.width(), 2 * 3 * 40);
   ASSERT_EQ(sheet.height(), 2 * 30);
   EXPECT_EQ(sheet.At(20, 15, 0), 100) << "96 ... 103 become 100";
@@ -40,26 +41,80 @@ TEST(MakeContactSheet, HasARowAClassAndEachPictureTwice) {
   EXPECT_EQ(sheet.At(100, 45, 1), 4) << "there is one wide picture";
 }
 
-TEST(MakeContactSheet, GivesTheSameAgain) {
+TEST(DrawOverview, GivesTheSameForAnyNumberOfThreads) {
   const TemporaryDirectory folder;
   const LabelledImageSet set = testing::MakeSet(folder.path());
-  EXPECT_EQ(MakeContactSheet(set, {}).values(), MakeContactSheet(set, {}).values());
+  EXPECT_EQ(DrawOverview(SheetPicturesOf(set), {}).values(),
+            DrawOverview(SheetPicturesOf(set), {.num_threads = 3}).values());
 }
 
-TEST(MakeContactSheet, NamesWhatIsWrong) {
+TEST(DrawOverview, NamesWhatIsWrong) {
   const TemporaryDirectory folder;
   LabelledImageSet set = TwoClasses(folder.path());
-  EXPECT_THROWS_MESSAGE(MakeContactSheet({.root = "here", .items = {}}, {}),
-                        Error,
-                        HasSubstr("here: the set has no pictures"));
+  EXPECT_THROWS_MESSAGE(DrawOverview({}, {}), Error, HasSubstr("the set has no pictures"));
   set.items[0].image = "gone.png";
-  EXPECT_THROWS_MESSAGE(MakeContactSheet(set, {}), Error, HasSubstr("gone.png"));
-  EXPECT_THROWS_MESSAGE(MakeContactSheet(set, {.images_per_class = 0}),
+  const std::vector<SheetPicture> pictures = SheetPicturesOf(set);
+  EXPECT_THROWS_MESSAGE(DrawOverview(pictures, {}), Error, HasSubstr("gone.png"));
+  EXPECT_THROWS_MESSAGE(DrawOverview(pictures, {.images_per_class = 0}),
                         Error,
-                        HasSubstr("ContactSheetOptions.images_per_class is 0"));
-  EXPECT_THROWS_MESSAGE(MakeContactSheet(set, {.tile_width_px = 5}),
+                        HasSubstr("OverviewOptions.images_per_class is 0"));
+  EXPECT_THROWS_MESSAGE(DrawOverview(pictures, {.tile_width_px = 5}),
                         Error,
-                        HasSubstr("ContactSheetOptions.tile_width_px is 5"));
+                        HasSubstr("OverviewOptions.tile_width_px is 5"));
+}
+
+// Pictures of one gray each, 10 more than the one before.
+std::vector<SheetPicture> Grays(int count, std::vector<int>* drawn = nullptr) {
+  std::vector<SheetPicture> pictures;
+  for (int i = 0; i < count; ++i) {
+    pictures.push_back({.row = "gray", .caption = "", .draw = [i, drawn] {
+                          if (drawn != nullptr) drawn->push_back(i);
+                          return std::vector<Image>{
+                              Image(4, 3, 3, static_cast<std::uint8_t>(10 * i))};
+                        }});
+  }
+  return pictures;
+}
+
+TEST(DrawPage, ShowsItsPicturesInOrderAndDrawsNoOthers) {
+  std::vector<int> drawn;
+  const PageOptions options{.page = 2, .columns = 2, .rows = 2, .tile_width_px = 16};
+  const Image page = DrawPage(Grays(7, &drawn), options);
+  EXPECT_THAT(drawn, ::testing::ElementsAre(4, 5, 6));
+  EXPECT_EQ(page.width(), 2 * (16 + 4));
+  EXPECT_EQ(page.height(), 2 * (12 + 16 + 4));
+  EXPECT_EQ(page.At(8, 6, 0), 44) << "40 ... 47 become 44";
+  EXPECT_EQ(page.At(28, 6, 0), 52);
+  EXPECT_EQ(page.At(8, 38, 0), 60);
+  EXPECT_EQ(page.At(28, 38, 0), 4) << "an empty place is black";
+  EXPECT_EQ(NumPages(7, options), 2);
+  EXPECT_EQ(NumPages(8, options), 2);
+  EXPECT_EQ(NumPages(9, options), 3);
+}
+
+TEST(DrawPage, ShowsLabelsAndCaptions) {
+  const TemporaryDirectory folder;
+  const LabelledImageSet set = TwoClasses(folder.path());
+  const PageOptions options{.columns = 5, .tile_width_px = 64, .num_threads = 2};
+  const Image page = DrawPage(SheetPicturesOf(set), options);
+  EXPECT_GT(page.At(4 * 68 + 32, 24, 1), page.At(4 * 68 + 32, 24, 2) + 50) << "good is green";
+  int lit = 0;
+  for (int u = 4 * 68; u < 4 * 68 + 64; ++u) {
+    for (int v = 48; v < 64; ++v) lit += page.At(u, v, 0) > 100 ? 1 : 0;
+  }
+  EXPECT_GT(lit, 10) << "its name is written below";
+}
+
+TEST(DrawPage, NamesWhatIsWrong) {
+  EXPECT_THROWS_MESSAGE(DrawPage(Grays(7), {.page = 3, .columns = 2, .rows = 2}),
+                        Error,
+                        HasSubstr("no page 3: 7 pictures fill 2 pages of 4"));
+  EXPECT_THROWS_MESSAGE(DrawPage(Grays(1), {.page = 0}), Error, HasSubstr("PageOptions.page is 0"));
+  EXPECT_THROWS_MESSAGE(
+      DrawPage(Grays(1), {.columns = 101}), Error, HasSubstr("PageOptions.columns is 101"));
+  EXPECT_THROWS_MESSAGE(DrawPage(Grays(10000), {.columns = 100, .rows = 100, .tile_width_px = 640}),
+                        Error,
+                        HasSubstr("a sheet of 64400x50000 pixels is too large"));
 }
 
 }  // namespace

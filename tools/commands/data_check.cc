@@ -10,15 +10,18 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/formats/labelled_image_set.h"
+#include "datasets/labelled_image_faults.h"
 #include "lib/core/error.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
+#include "tools/progress_bar.h"
 
 namespace handcraft::tools {
 namespace {
 
 struct DataCheckOptions {
   std::string folder;
+  int num_threads = 1;
   bool json = false;
 };
 
@@ -36,7 +39,10 @@ void PrintJson(const Console& console,
 
 void RunDataCheck(const DataCheckOptions& options, const Console& console) {
   const datasets::LabelledImageSet set = datasets::ReadLabelledImageSet(options.folder);
-  const std::vector<datasets::Fault> faults = datasets::FindFaults(set);
+  ProgressBar bar(console);
+  const std::vector<datasets::Fault> faults =
+      datasets::FindFaults(set, options.num_threads, bar.Callback());
+  bar.Clear();
   if (options.json) {
     PrintJson(console, set, faults);
   } else {
@@ -61,6 +67,7 @@ void AddDataCheck(CLI::App& parent, const Console& console) {
   CLI::App* command =
       parent.add_subcommand("check", "Open every file of a labelled image set and name each fault");
   command->add_option("DIR", options->folder, "Folder with manifest.csv")->required();
+  AddThreadsOption(*command, options->num_threads);
   AddJsonFlag(*command, options->json);
   SetExample(*command, "handcraft data check datasets/samples/cornell_mini");
   command->callback([options, &console] { RunDataCheck(*options, console); });

@@ -4,6 +4,7 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -20,26 +21,67 @@ namespace {
 struct DataPreviewOptions {
   std::string folder;
   std::string out;
-  datasets::ContactSheetOptions sheet;
+  std::string split;
+  std::string object_class;
+  datasets::OverviewOptions overview;
+  datasets::PageOptions page;
+  int tile_width_px = 0;
+  bool is_page = false;
   bool json = false;
 };
 
+Image DrawSheet(const DataPreviewOptions& options,
+                const std::vector<datasets::SheetPicture>& pictures,
+                const Progress& progress) {
+  if (options.is_page) {
+    datasets::PageOptions page = options.page;
+    page.progress = progress;
+    if (options.tile_width_px > 0) page.tile_width_px = options.tile_width_px;
+    return datasets::DrawPage(pictures, page);
+  }
+  datasets::OverviewOptions overview = options.overview;
+  overview.progress = progress;
+  overview.num_threads = options.page.num_threads;
+  if (options.tile_width_px > 0) overview.tile_width_px = options.tile_width_px;
+  return datasets::DrawOverview(pictures, overview);
+}
+
 void RunDataPreview(const DataPreviewOptions& options, const Console& console) {
   RequireWritable(options.out);
-  const datasets::LabelledImageSet set = datasets::ReadLabelledImageSet(options.folder);
-  RequireNotAnInput(options.out, FilesOf(set));
+  const datasets::LabelledImageSet whole = datasets::ReadLabelledImageSet(options.folder);
+  RequireNotAnInput(options.out, FilesOf(whole));
+  const datasets::LabelledImageSet set = whole.Only(options.split).OnlyClass(options.object_class);
+  const std::vector<datasets::SheetPicture> pictures = datasets::SheetPicturesOf(set);
   ProgressBar bar(console);
-  datasets::ContactSheetOptions sheet_options = options.sheet;
-  sheet_options.progress = bar.Callback();
-  const Image sheet = datasets::MakeContactSheet(set, sheet_options);
+  const Image sheet = DrawSheet(options, pictures, bar.Callback());
   bar.Clear();
   perception::WritePng(options.out, sheet);
+  const int num_pages = options.is_page ? datasets::NumPages(pictures.size(), options.page) : 1;
   if (options.json) {
-    console.Print(
-        {{"file", options.out}, {"width_px", sheet.width()}, {"height_px", sheet.height()}});
+    console.Print({{"file", options.out},
+                   {"width_px", sheet.width()},
+                   {"height_px", sheet.height()},
+                   {"num_images", pictures.size()},
+                   {"num_pages", num_pages}});
   } else {
-    console.out << "Wrote " << options.out << '\n';
+    console.out << "Wrote " << options.out;
+    if (options.is_page) console.out << ", page " << options.page.page << " of " << num_pages;
+    console.out << '\n';
   }
+}
+
+void AddPageOptions(CLI::App& command, DataPreviewOptions& options) {
+  using datasets::PageOptions;
+  CLI::Option* page = AddNumber(command,
+                                "--page",
+                                options.page,
+                                &PageOptions::page,
+                                "Instead: this page of all pictures, in the manifest's order");
+  page->each([&options](const std::string&) { options.is_page = true; });
+  AddNumber(command, "--columns", options.page, &PageOptions::columns, "Pictures across a page")
+      ->needs(page);
+  AddNumber(command, "--rows", options.page, &PageOptions::rows, "Pictures down a page")
+      ->needs(page);
 }
 
 }  // namespace
@@ -50,16 +92,22 @@ void AddDataPreview(CLI::App& parent, const Console& console) {
       "preview", "Draw a contact sheet: a row a class, each picture as it is and with its labels");
   command->add_option("DIR", options->folder, "Folder with manifest.csv")->required();
   command->add_option("--out", options->out, "PNG to write")->type_name("FILE")->required();
+  command->add_option("--split", options->split, "Pictures of this split alone")->type_name("NAME");
+  command->add_option("--class", options->object_class, "Pictures of this class alone")
+      ->type_name("NAME");
   AddNumber(*command,
             "--images-per-class",
-            options->sheet,
-            &datasets::ContactSheetOptions::images_per_class,
+            options->overview,
+            &datasets::OverviewOptions::images_per_class,
             "At most this many of each class, evenly spread over it");
+  AddPageOptions(*command, *options);
   AddNumber(*command,
             "--tile-width",
-            options->sheet,
-            &datasets::ContactSheetOptions::tile_width_px,
-            "Width of a picture on the sheet [px]");
+            options->tile_width_px,
+            TakenBy(&datasets::OverviewOptions::tile_width_px),
+            "Width of a picture on the sheet [px]")
+      ->default_str("128, on a page 160");
+  AddThreadsOption(*command, options->page.num_threads);
   AddJsonFlag(*command, options->json);
   SetExample(*command, "handcraft data preview datasets/samples/cornell_mini --out out/sheet.png");
   command->callback([options, &console] { RunDataPreview(*options, console); });

@@ -4,7 +4,6 @@
 #include "datasets/formats/labelled_image_set.h"
 
 #include <algorithm>
-#include <map>
 #include <string>
 
 #include "lib/core/error.h"
@@ -18,12 +17,14 @@ namespace handcraft::datasets {
 namespace {
 
 using testing::AddPicture;
-using ::testing::AllOf;
 using testing::CountedMask;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using testing::NoiseImage;
+using ::testing::Pair;
 using ::testing::SizeIs;
+using ::testing::StartsWith;
 using testing::TemporaryDirectory;
 
 constexpr std::string_view kHeader = "image,mask,class,instance,split,licence\n";
@@ -112,13 +113,34 @@ TEST(ReadLabelledImageSet, RefusesAnInstanceInTwoSplits) {
       HasSubstr(":4: instance 'mug 1' is in split 'test' here and in 'train' on line 2"));
 }
 
+TEST(ReadLabelledImageSet, KeepsOtherColumns) {
+  const LabelledImageSet set = ReadManifest(
+      "depth,note,image,mask,class,instance,split,licence,,\n"
+      "d/1.png,\"a, b\",i.png,m.png,mug,7,test,,x,y\n"
+      ",,j.png,n.png,mug,7,test,,,\n");
+  EXPECT_THAT(set.items[0].others, ElementsAre(Pair("depth", "d/1.png"), Pair("note", "a, b")));
+  EXPECT_EQ(set.items[0].Companion(kDepth), "d/1.png");
+  EXPECT_EQ(set.items[0].Companion(kCloud), "");
+  EXPECT_THAT(set.items[1].others, IsEmpty());
+  EXPECT_THROWS_MESSAGE(ReadManifest("image,mask,class,instance,split,licence,scene\n"
+                                     "i,m,c,1,train,,../s.toml\n"),
+                        Error,
+                        HasSubstr(":2: the scene '../s.toml' lies outside the folder"));
+  EXPECT_THROWS_MESSAGE(ReadManifest("image,mask,class,instance,split,licence,note,note\n"),
+                        Error,
+                        HasSubstr("'note' appears twice"));
+}
+
 TEST(WriteManifest, ComesBackUnchanged) {
   const TemporaryDirectory folder;
   LabelledImageSet set{.root = folder.path(), .items = {}};
   set.items.push_back(
       {"a, \"b\".png", "m\n.png", "größe", "1", "train", "see \"LICENCE\", please"});
   set.items.push_back({"c.png", "d.png", "x", "2", "hold out", ""});
+  set.items[0].others = {{"a note", "x,y"}, {"scene", "s.toml"}, {"object_mask", "o.png"}};
   WriteManifest(set);
+  EXPECT_THAT(ReadTextFile(folder / "manifest.csv"),
+              StartsWith("image,mask,class,instance,split,licence,object_mask,scene,a note\n"));
   const LabelledImageSet read = ReadLabelledImageSet(folder.path());
   ASSERT_THAT(read.items, SizeIs(2));
   EXPECT_EQ(read.items[0].image, set.items[0].image);
@@ -126,6 +148,8 @@ TEST(WriteManifest, ComesBackUnchanged) {
   EXPECT_EQ(read.items[0].object_class, set.items[0].object_class);
   EXPECT_EQ(read.items[0].licence, set.items[0].licence);
   EXPECT_EQ(read.items[1].split, "hold out");
+  EXPECT_EQ(read.items[0].others, set.items[0].others);
+  EXPECT_THAT(read.items[1].others, IsEmpty());
 }
 
 TEST(LabelledImageSet, ChoosesASplit) {
@@ -139,6 +163,17 @@ TEST(LabelledImageSet, ChoosesASplit) {
   EXPECT_THROWS_MESSAGE(set.Only("validation"),
                         Error,
                         HasSubstr("no split 'validation'; there are: 'test', 'train'"));
+}
+
+TEST(LabelledImageSet, ChoosesAClass) {
+  const TemporaryDirectory folder;
+  LabelledImageSet set = MakeSet(folder.path());
+  set.items[1].object_class = "mug";
+  EXPECT_THAT(set.OnlyClass("").items, SizeIs(3));
+  ASSERT_THAT(set.OnlyClass("mug").items, SizeIs(1));
+  EXPECT_EQ(set.OnlyClass("mug").items[0].image, "b.png");
+  EXPECT_THROWS_MESSAGE(
+      set.OnlyClass("cup"), Error, HasSubstr("no class 'cup'; there are: 'mug', 'object'"));
 }
 
 TEST(ReadLabelledPicture, ReadsPictureAndMask) {
@@ -177,7 +212,7 @@ TEST(LicencesOf, NamesEachOnce) {
   const LabelledImageSet set = ReadRows(
       "i/1.png,m/1.png,mug,a,train,MIT\ni/2.png,m/2.png,mug,b,train,CC0-1.0\n"
       "i/3.png,m/3.png,mug,c,train,MIT\n");
-  EXPECT_THAT(LicencesOf(set), ::testing::ElementsAre("CC0-1.0", "MIT"));
+  EXPECT_THAT(LicencesOf(set), ElementsAre("CC0-1.0", "MIT"));
 }
 
 TEST(Fingerprint, IsTheHashOfTheDocumentedText) {
@@ -212,30 +247,6 @@ TEST(Fingerprint, DependsOnTheDataAlone) {
   }
   perception::WritePng(here / "a_mask.png", CountedMask(8, 6, 5, 8));
   EXPECT_NE(Fingerprint(set), fingerprint) << "one pixel of a mask matters";
-}
-
-TEST(FindFaults, FindsNothingInASoundSet) {
-  const TemporaryDirectory folder;
-  EXPECT_THAT(FindFaults(MakeSet(folder.path())), IsEmpty());
-}
-
-TEST(FindFaults, FindsEveryFaultAndItsFile) {
-  const TemporaryDirectory folder;
-  LabelledImageSet set = MakeSet(folder.path());
-  AddPicture(set, "empty", NoiseImage(4, 4, 1, 9), CountedMask(4, 4, 0, 0));
-  AddPicture(set, "no_bad", NoiseImage(4, 4, 1, 10), CountedMask(4, 4, 16, 0));
-  AddPicture(set, "mis_sized", NoiseImage(4, 4, 1, 11), CountedMask(4, 5, 1, 1));
-  AddPicture(set, "missing", NoiseImage(4, 4, 1, 12), CountedMask(4, 4, 1, 1));
-  AddPicture(set, "twin", NoiseImage(4, 4, 3, 3), CountedMask(4, 4, 1, 1));  // as c.png
-  std::filesystem::remove(folder / "missing.png");
-  std::map<std::string, std::string> reasons;
-  for (const Fault& fault : FindFaults(set)) reasons[fault.path] += fault.reason + ";";
-  EXPECT_THAT(reasons, SizeIs(5));
-  EXPECT_THAT(reasons["empty_mask.png"], AllOf(HasSubstr("no good"), HasSubstr("no bad")));
-  EXPECT_THAT(reasons["no_bad_mask.png"], HasSubstr("no bad pixel (0)"));
-  EXPECT_THAT(reasons["mis_sized_mask.png"], HasSubstr("4x5"));
-  EXPECT_THAT(reasons["missing.png"], HasSubstr("No such file"));
-  EXPECT_THAT(reasons["twin.png"], HasSubstr("same picture as c.png, which is in another split"));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 
+#include "datasets/labelled_image_faults.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 #include "tests/datasets/small_image_set.h"

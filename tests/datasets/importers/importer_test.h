@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "datasets/importers/image_set_import.h"
+#include "datasets/labelled_image_faults.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 #include "tests/datasets/small_image_set.h"

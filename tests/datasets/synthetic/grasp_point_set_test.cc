@@ -11,6 +11,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "datasets/labelled_image_faults.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 #include "tests/support/expect_throws_message.h"

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "datasets/labelled_image_faults.h"
 #include "lib/perception/image_io.h"
 #include "tests/support/temporary_directory.h"
 

@@ -23,9 +23,12 @@ TEST_F(DataInfo, CountsSplits) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(outcome.out,
-              AllOf(HasSubstr("split  images  instances  classes"),
-                    HasSubstr("test        2          2        2"),
-                    HasSubstr("train       4          4        2"),
+              AllOf(HasSubstr("split  class  images  instances  good %"),
+                    HasSubstr("test   disc        1          1"),
+                    HasSubstr("test   (all)       2          2"),
+                    HasSubstr("train  bar         2          2"),
+                    HasSubstr("train  (all)       4          4"),
+                    HasSubstr("sizes [px]   64x48 (6)"),
                     HasSubstr("licence      CC0-1.0"),
                     HasSubstr("fingerprint  ")));
 }
@@ -37,6 +40,8 @@ TEST_F(DataInfo, TellsMachinesTheSame) {
   ASSERT_EQ(json["splits"].size(), 2U);
   EXPECT_EQ(json["splits"][1]["name"], "train");
   EXPECT_EQ(json["splits"][1]["num_pixels"], 4 * 64 * 48);
+  EXPECT_EQ(json["splits"][1]["classes"]["bar"]["num_pixels"], 2 * 64 * 48);
+  EXPECT_EQ(json["sizes"]["64x48"], 6);
   EXPECT_GT(json["splits"][1]["num_bad_pixels"], json["splits"][1]["num_good_pixels"]);
 }
 

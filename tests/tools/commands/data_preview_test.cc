@@ -32,6 +32,27 @@ TEST(DataPreview, DrawsTheSample) {
   EXPECT_EQ(json["height_px"], sheet.height());
 }
 
+TEST(DataPreview, LeafsThroughASet) {
+  const TemporaryDirectory folder;
+  const std::string out = (folder / "page.png").string();
+  const Outcome outcome = RunLine("data preview " + kSample + " --out " + out +
+                                  " --split test --page 2 --columns 2 --rows 3 --tile-width 64");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("page 2 of 2"));
+  const Image page = perception::ReadImage(out);
+  EXPECT_EQ(page.width(), 2 * 68);
+  EXPECT_EQ(page.height(), 68) << "8 test pictures: 6 and 2";
+}
+
+TEST(DataPreview, ChoosesAClass) {
+  const TemporaryDirectory folder;
+  const std::string out = (folder / "sheet.png").string();
+  const Outcome outcome =
+      RunLine("data preview " + kSample + " --out " + out + " --class no_such_class");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("no class 'no_such_class'; there are: "));
+}
+
 TEST(DataPreview, RefusesToOverwriteItsInput) {
   const std::string manifest = kSample + "/manifest.csv";
   const std::string before = ReadTextFile(manifest);
@@ -42,6 +63,10 @@ TEST(DataPreview, RefusesToOverwriteItsInput) {
 TEST(DataPreview, NamesWhatIsWrong) {
   EXPECT_THAT(RunLine("data preview no/such --out sheet.png").err, HasSubstr("no/such"));
   EXPECT_EQ(RunLine("data preview " + kSample + " --out no/folder/sheet.png").code, 3);
+  EXPECT_THAT(RunLine("data preview " + kSample + " --out x.png --page 9").err,
+              HasSubstr("no page 9: 24 pictures fill 1 pages of 48"));
+  EXPECT_THAT(RunLine("data preview " + kSample + " --out x.png --rows 3").err,
+              HasSubstr("--rows requires --page"));
   EXPECT_THAT(RunLine("data preview " + kSample + " --out x.png --tile-width 3").err,
               HasSubstr("--tile-width: 3 given; it must be from 16 to 640"));
 }
