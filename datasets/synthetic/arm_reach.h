@@ -19,7 +19,7 @@ namespace handcraft::synthetic {
 /// The limits are those of a Barrett WAM (manual D1001): a = |(0.045, 0.55)|, b = |(−0.045, 0.3)|,
 /// joint 4 from −0.9 to 3.1 rad, joint 6 ±1.6 rad.
 struct ArmReach {
-  Eigen::Vector3f shoulder_m = {-0.50F, -0.25F, 0.35F};  ///< in the frame of the poses, z up
+  Eigen::Vector3f shoulder_m = {-0.50F, -0.30F, 0.35F};  ///< in the frame of the poses, z up
   float upper_arm_m = 0.5518F;
   float forearm_m = 0.3034F;
   float nearest_m = 0.272F;
@@ -37,7 +37,7 @@ struct ArmReach {
 };
 
 /// The two arms of the robot that the made-up sets imagine, in the base frame: it stands on the −x
-/// side, its shoulders 0.35 m above the table and 0.5 m apart. (The dissertation shows such a torso
+/// side, its shoulders 0.35 m above the table and 0.6 m apart. (The dissertation shows such a torso
 /// and gives no measures.)
 [[nodiscard]] ArmReach RightArm();
 [[nodiscard]] ArmReach LeftArm();

@@ -10,6 +10,7 @@
 
 #include "datasets/synthetic/draw.h"
 #include "lib/core/check.h"
+#include "lib/core/error.h"
 #include "lib/core/option_rules.h"
 
 namespace handcraft::synthetic {
@@ -118,6 +119,29 @@ void GraspCounts::Add(const GraspCounts& other) {
 
 std::size_t GraspCounts::Total() const {
   return std::accumulate(by_fault.begin(), by_fault.end(), std::size_t{0});
+}
+
+std::string GraspCounts::ToText() const {
+  std::array<std::size_t, kNumGraspFaults> order{};
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return by_fault[a] > by_fault[b];
+  });
+  std::string text = "of " + std::to_string(Total()) + " poses";
+  for (const std::size_t fault : order) {
+    if (by_fault[fault] == 0) break;
+    text += (fault == order[0] ? " " : ", ") + std::to_string(by_fault[fault]) + " ";
+    text += NameOf(static_cast<GraspFault>(fault));
+  }
+  return text;
+}
+
+void RequireGrasps(const std::vector<Grasp>& grasps,
+                   std::string_view name,
+                   const GraspCounts& counts) {
+  if (!grasps.empty()) return;
+  throw Error({.kind = Error::Kind::kNoResult,
+               .reason = "the hand cannot hold the " + std::string(name) + ": " + counts.ToText()});
 }
 
 void GraspSamplerOptions::Validate() const {

@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "datasets/synthetic/grasp_check.h"
@@ -28,6 +30,8 @@ struct GraspCounts {
     return by_fault[static_cast<std::size_t>(fault)];
   }
   [[nodiscard]] std::size_t Total() const;
+  /// "of 120 poses 80 too wide, 30 slips, 10 valid": what is not nought, the most frequent first.
+  [[nodiscard]] std::string ToText() const;
 };
 
 struct GraspSamplerOptions {
@@ -38,6 +42,12 @@ struct GraspSamplerOptions {
   /// Throws Error(kUsage) naming field, value and rule.
   void Validate() const;
 };
+
+/// Throws Error(kNoResult) when there is no grasp, saying what came of the poses that were looked
+/// at: "the hand cannot hold the NAME: of 120 poses …".
+void RequireGrasps(const std::vector<Grasp>& grasps,
+                   std::string_view name,
+                   const GraspCounts& counts);
 
 /// Poses all over an object at which the hand holds it (GraspCheck::Close finds no fault), out of
 /// any arm's reach or not.

@@ -96,6 +96,20 @@ TEST(SampleGrasps, CountsEveryPose) {
   EXPECT_EQ(twice.Total(), 2 * sampled.counts.Total());
 }
 
+TEST(GraspCounts, SayWhatCameOfThePoses) {
+  GraspCounts counts;
+  EXPECT_EQ(counts.ToText(), "of 0 poses");
+  counts.Add(GraspFault::kSlips);
+  counts.Add(GraspFault::kTooWide);
+  counts.Add(GraspFault::kTooWide);
+  EXPECT_EQ(counts.ToText(), "of 3 poses 2 too wide, 1 slips");
+  EXPECT_THROWS_MESSAGE(
+      RequireGrasps({}, "crate", counts),
+      Error,
+      HasSubstr("the hand cannot hold the crate: of 3 poses 2 too wide, 1 slips"));
+  RequireGrasps({Grasp{}}, "crate", counts);
+}
+
 TEST(SampleGrasps, StopsWhenThereAreEnough) {
   const GraspCheck check(testing::Can(0.03F, 0.15F), {}, {});
   const Sampled sampled = Sample(check, {.most_grasps = 10, .num_approaches = 4});

@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "datasets/demonstration_sheet.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "datasets/cloud_camera.h"
+#include "lib/core/check.h"
+#include "lib/core/error.h"
+#include "lib/core/option_rules.h"
+#include "lib/perception/overlay.h"
+
+namespace handcraft::datasets {
+namespace {
+
+using Eigen::Vector3f;
+using synthetic::PinholeCamera;
+
+constexpr float kHalfWidthM = 0.02F;
+constexpr float kPalmM = -0.05F;  // along the approach axis
+constexpr float kStemM = -0.09F;
+constexpr float kLeastDepthM = 0.05F;
+
+// A line of the glyph in the hand's frame, and its colour.
+struct Stroke {
+  Vector3f from_m;
+  Vector3f to_m;
+  std::array<int, 3> bgr;
+};
+
+std::array<Stroke, 4> Strokes() {
+  const Vector3f palm(0.0F, 0.0F, kPalmM);
+  const Vector3f side(kHalfWidthM, 0.0F, 0.0F);
+  return {{{Vector3f(0.0F, 0.0F, kStemM), palm, {60, 220, 255}},
+           {palm - side, palm + side, {60, 220, 255}},
+           {palm + side, side, {0, 120, 255}},
+           {palm - side, -side, {255, 120, 0}}}};
+}
+
+std::vector<std::size_t> SpreadEvenly(const std::vector<std::size_t>& all, int count) {
+  const std::size_t num_chosen = std::min(static_cast<std::size_t>(count), all.size());
+  std::vector<std::size_t> chosen;
+  chosen.reserve(num_chosen);
+  for (std::size_t i = 0; i < num_chosen; ++i) chosen.push_back(all[i * all.size() / num_chosen]);
+  return chosen;
+}
+
+// For each view, by its image, the poses shown in it.
+using PosesOfViews = std::map<std::string, std::vector<EndEffectorPose>, std::less<>>;
+
+PosesOfViews GroupPoses(const DemonstrationSet& set, int poses_per_view) {
+  std::map<std::string, std::vector<std::size_t>, std::less<>> rows;
+  for (std::size_t i = 0; i < set.items.size(); ++i) rows[set.items[i].view].push_back(i);
+  PosesOfViews poses;
+  for (const auto& [view, indices] : rows) {
+    for (const std::size_t i : SpreadEvenly(indices, poses_per_view)) {
+      poses[view].push_back(set.items[i].pose);
+    }
+  }
+  return poses;
+}
+
+// For each class some of its views that have poses.
+std::map<std::string, std::vector<std::size_t>> ChooseViews(const ViewSet& views,
+                                                            const PosesOfViews& poses,
+                                                            int views_per_class) {
+  std::map<std::string, std::vector<std::size_t>> by_class;
+  for (std::size_t i = 0; i < views.items.size(); ++i) {
+    if (poses.contains(views.items[i].image)) by_class[views.items[i].object_class].push_back(i);
+  }
+  for (auto& [name, indices] : by_class) indices = SpreadEvenly(indices, views_per_class);
+  return by_class;
+}
+
+// The part of the picture with the object in its middle, about twice as large, 4 to 3.
+cv::Rect AboutObject(const Image& mask, const std::string& path) {
+  cv::Rect object;
+  for (int v = 0; v < mask.height(); ++v) {
+    for (int u = 0; u < mask.width(); ++u) {
+      if (mask.At(u, v) == kObject) object |= cv::Rect(u, v, 1, 1);
+    }
+  }
+  if (object.empty()) throw Error({.path = path, .reason = "the mask shows no object"});
+  const int wanted = std::max(2 * object.height, 3 * object.width / 2);
+  const int limit = std::min(mask.height(), mask.width() * 3 / 4);
+  const int height = std::max(std::min(wanted, limit), 1);
+  const int width = height * 4 / 3;
+  const auto begin = [](int middle, int size, int end) {
+    return std::clamp(middle - size / 2, 0, end - size);
+  };
+  return {begin(object.x + object.width / 2, width, mask.width()),
+          begin(object.y + object.height / 2, height, mask.height()),
+          width,
+          height};
+}
+
+// The camera of a part of the picture, scaled to a tile.
+PinholeCamera CameraOfTile(PinholeCamera camera, const cv::Rect& part, const cv::Size& tile) {
+  const float scale = static_cast<float>(tile.width) / static_cast<float>(part.width);
+  camera.width_px = tile.width;
+  camera.height_px = tile.height;
+  camera.focal_px *= scale;
+  camera.centre_u_px = (camera.centre_u_px + 0.5F - static_cast<float>(part.x)) * scale - 0.5F;
+  camera.centre_v_px = (camera.centre_v_px + 0.5F - static_cast<float>(part.y)) * scale - 0.5F;
+  return camera;
+}
+
+cv::Mat PixelsOf(Image& image) { return {image.height(), image.width(), CV_8UC3, image.Row(0)}; }
+
+Image DrawTile(const ViewSet& views,
+               std::size_t index,
+               const std::vector<EndEffectorPose>& poses,
+               const cv::Size& size) {
+  const ObjectView& item = views.items[index];
+  const LoadedView view = ReadView(views, index);
+  const std::string path = (views.root / item.image).string();
+  if (!view.cloud) {
+    throw Error(
+        {.path = path, .reason = "the view has no cloud, which tells where its camera stood"});
+  }
+  PinholeCamera camera;
+  try {
+    camera = FitCamera(*view.cloud);
+  } catch (const Error& error) {
+    throw Error({.path = (views.root / item.cloud).string(), .reason = error.details().reason});
+  }
+  const cv::Rect part = AboutObject(view.object_mask, (views.root / item.object_mask).string());
+  Image picture = perception::DrawLabelMask(
+      view.image, Image(view.image.width(), view.image.height()));  // in colour
+  Image tile(size.width, size.height, 3);
+  cv::Mat tile_pixels = PixelsOf(tile);
+  cv::resize(PixelsOf(picture)(part), tile_pixels, size, 0.0, 0.0, cv::INTER_AREA);
+  DrawHands(tile, CameraOfTile(camera, part, size), poses);
+  return tile;
+}
+
+void RoundColours(Image& sheet) {
+  constexpr int kStep = 8;
+  for (int v = 0; v < sheet.height(); ++v) {
+    std::uint8_t* const row = sheet.Row(v);
+    for (int i = 0; i < sheet.width() * sheet.channels(); ++i) {
+      row[i] = static_cast<std::uint8_t>(row[i] / kStep * kStep + kStep / 2);
+    }
+  }
+}
+
+}  // namespace
+
+void DemonstrationSheetOptions::Validate() const {
+  RequireOption(views_per_class >= 1 && views_per_class <= 100,
+                "DemonstrationSheetOptions.views_per_class",
+                views_per_class,
+                "from 1 to 100");
+  RequireOption(poses_per_view >= 1 && poses_per_view <= 10000,
+                "DemonstrationSheetOptions.poses_per_view",
+                poses_per_view,
+                "from 1 to 10000");
+  RequireOption(tile_width_px >= 16 && tile_width_px <= 640,
+                "DemonstrationSheetOptions.tile_width_px",
+                tile_width_px,
+                "from 16 to 640");
+}
+
+void DrawHands(Image& picture,
+               const PinholeCamera& camera,
+               std::span<const EndEffectorPose> poses) {
+  HC_CHECK(picture.channels() == 3 && !picture.empty(), picture.channels());
+  constexpr int kShift = 4;  // sixteenths of a pixel
+  cv::Mat pixels = PixelsOf(picture);
+  const Eigen::Isometry3f camera_from_base = camera.base_from_camera.inverse();
+  const auto to_pixel = [&](const Vector3f& p_in_base) {
+    const Eigen::Vector2f pixel = 16.0F * camera.Project(p_in_base);
+    return cv::Point(cvRound(pixel.x()), cvRound(pixel.y()));
+  };
+  for (const EndEffectorPose& pose : poses) {
+    const Eigen::Isometry3f base_from_grasp = pose.ToIsometry().cast<float>();
+    const auto is_behind = [&](const Stroke& stroke) {
+      const auto depth_m = [&](const Vector3f& p) {
+        return (camera_from_base * base_from_grasp * p).z();
+      };
+      return std::min(depth_m(stroke.from_m), depth_m(stroke.to_m)) < kLeastDepthM;
+    };
+    const std::array<Stroke, 4> strokes = Strokes();
+    if (std::any_of(strokes.begin(), strokes.end(), is_behind)) continue;
+    for (const Stroke& stroke : strokes) {
+      cv::line(pixels,
+               to_pixel(base_from_grasp * stroke.from_m),
+               to_pixel(base_from_grasp * stroke.to_m),
+               cv::Scalar(stroke.bgr[0], stroke.bgr[1], stroke.bgr[2]),
+               1,
+               cv::LINE_AA,
+               kShift);
+    }
+  }
+}
+
+Image MakeDemonstrationSheet(const DemonstrationSet& demonstrations,
+                             const ViewSet& views,
+                             const DemonstrationSheetOptions& options) {
+  options.Validate();
+  const PosesOfViews poses = GroupPoses(demonstrations, options.poses_per_view);
+  const auto by_class = ChooseViews(views, poses, options.views_per_class);
+  HC_CHECK(!by_class.empty(), demonstrations.items.size(), views.items.size());
+  std::size_t columns = 0;
+  for (const auto& [name, indices] : by_class) columns = std::max(columns, indices.size());
+  const cv::Size tile(options.tile_width_px, options.tile_width_px * 3 / 4);
+  Image sheet(
+      tile.width * static_cast<int>(columns), tile.height * static_cast<int>(by_class.size()), 3);
+  int row = 0;
+  for (const auto& [name, indices] : by_class) {
+    Report(options.progress, "drawing classes", static_cast<std::size_t>(row), by_class.size());
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+      const std::size_t index = indices[i];
+      Image drawn = DrawTile(views, index, poses.find(views.items[index].image)->second, tile);
+      const cv::Rect place(
+          tile.width * static_cast<int>(i), tile.height * row, tile.width, tile.height);
+      PixelsOf(drawn).copyTo(PixelsOf(sheet)(place));
+    }
+    ++row;
+  }
+  RoundColours(sheet);
+  return sheet;
+}
+
+}  // namespace handcraft::datasets

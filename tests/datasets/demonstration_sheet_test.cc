@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "datasets/demonstration_sheet.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "lib/core/error.h"
+#include "lib/core/file.h"
+#include "lib/perception/image_io.h"
+#include "tests/support/expect_throws_message.h"
+#include "tests/support/temporary_directory.h"
+
+namespace handcraft::datasets {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::TemporaryDirectory;
+
+// Half a metre above the table, looking straight down: x of the base goes up in the picture.
+synthetic::PinholeCamera FromAbove() {
+  synthetic::PinholeCamera camera{.width_px = 80,
+                                  .height_px = 60,
+                                  .focal_px = 100.0F,
+                                  .centre_u_px = 39.5F,
+                                  .centre_v_px = 29.5F};
+  camera.base_from_camera.linear() << 0, -1, 0, -1, 0, 0, 0, 0, -1;
+  camera.base_from_camera.translation() = Eigen::Vector3f(0.0F, 0.0F, 0.5F);
+  return camera;
+}
+
+EndEffectorPose Reaching(const Eigen::Vector3d& at_m) {
+  EndEffectorPose pose;
+  pose.position_m = at_m;  // z up: the stem hangs below the grasp centre
+  return pose;
+}
+
+// Pixels of the stem's colour, which lines of one pixel blend with what lies below.
+int NumYellow(const Image& image) {
+  int count = 0;
+  for (int v = 0; v < image.height(); ++v) {
+    for (int u = 0; u < image.width(); ++u) {
+      count += std::min(image.At(u, v, 1), image.At(u, v, 2)) > image.At(u, v, 0) + 40 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+TEST(DrawHands, PutsFingersAndThumbOnTheirSides) {
+  Image picture(80, 60, 3);
+  EndEffectorPose pose = Reaching({0.0, 0.0, 0.1});
+  pose.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(M_PI_2, Eigen::Vector3d::UnitY()));
+  // z of the hand now points to +x of the base (up in the picture), x of the hand down to the
+  // table.
+  DrawHands(picture, FromAbove(), std::array{pose});
+  EXPECT_GT(NumYellow(picture), 5) << "the stem, along the approach axis";
+  Image sideways(80, 60, 3);
+  pose.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(M_PI_2, Eigen::Vector3d::UnitX()));
+  // z of the hand points to −y (right in the picture), x of the hand to +x (up).
+  DrawHands(sideways, FromAbove(), std::array{pose});
+  const auto centre = FromAbove().Project({0.0F, 0.0F, 0.1F});
+  const int u = static_cast<int>(std::lround(centre.x())) - 5;  // between palm and grasp centre
+  const auto channel_at = [&](float x_m, int channel) {
+    const int v = static_cast<int>(std::lround(FromAbove().Project({x_m, 0.0F, 0.1F}).y()));
+    return static_cast<int>(sideways.At(u, v, channel));
+  };
+  EXPECT_GT(channel_at(0.02F, 2), channel_at(0.02F, 0)) << "the fingers' prong is orange";
+  EXPECT_GT(channel_at(-0.02F, 0), channel_at(-0.02F, 2)) << "the thumb's is blue";
+}
+
+TEST(DrawHands, LeavesOutWhatIsBehindTheCamera) {
+  Image picture(80, 60, 3);
+  DrawHands(picture, FromAbove(), std::array{Reaching({0.0, 0.0, 0.6})});
+  EXPECT_EQ(picture.values(), Image(80, 60, 3).values());
+  DrawHands(picture, FromAbove(), {});
+  EXPECT_EQ(picture.values(), Image(80, 60, 3).values());
+  DrawHands(picture, FromAbove(), std::array{Reaching({50.0, 50.0, 0.1})});
+  EXPECT_EQ(picture.values(), Image(80, 60, 3).values()) << "far outside the picture";
+}
+
+// Two views of a mug and one of a can, gray, with a pose in each.
+class SheetOfThreeViews : public ::testing::Test {
+ protected:
+  SheetOfThreeViews() {
+    views_.root = folder_.path();
+    poses_.root = folder_.path();
+    for (const std::string name : {"mug_0", "mug_1", "can_0"}) {
+      const synthetic::PinholeCamera camera = FromAbove();
+      OrganisedCloud cloud{.width = camera.width_px, .height = camera.height_px};
+      cloud.base_from_camera = camera.base_from_camera;
+      Image mask(camera.width_px, camera.height_px);
+      for (int v = 0; v < camera.height_px; ++v) {
+        for (int u = 0; u < camera.width_px; ++u) {
+          const Eigen::Vector3f ray = camera.Ray(static_cast<float>(u), static_cast<float>(v));
+          cloud.points.push_back(camera.Origin() + 0.5F * ray);
+          if (std::abs(u - 40) < 8 && std::abs(v - 30) < 8) mask.At(u, v) = kObject;
+        }
+      }
+      WritePcd(folder_ / (name + ".pcd"), cloud);
+      perception::WritePng(folder_ / (name + "_mask.png"), mask);
+      perception::WritePng(folder_ / (name + ".png"), Image(80, 60, 1, 100));
+      const std::string object_class = name.substr(0, 3);
+      views_.items.push_back({.image = name + ".png",
+                              .object_mask = name + "_mask.png",
+                              .cloud = name + ".pcd",
+                              .object_class = object_class,
+                              .instance = object_class,
+                              .split = "train"});
+      poses_.items.push_back({.object_class = object_class,
+                              .instance = object_class,
+                              .view = name + ".png",
+                              .angle_deg = {},
+                              .pose = Reaching({0.0, 0.0, 0.1})});
+    }
+  }
+
+  TemporaryDirectory folder_;
+  ViewSet views_;
+  DemonstrationSet poses_;
+};
+
+TEST_F(SheetOfThreeViews, HasARowAClass) {
+  const Image sheet = MakeDemonstrationSheet(poses_, views_, {.tile_width_px = 64});
+  EXPECT_EQ(sheet.width(), 2 * 64);
+  EXPECT_EQ(sheet.height(), 2 * 48);
+  const auto has_hand = [&](int column, int row) {
+    Image tile(64, 48, 3);
+    for (int v = 0; v < 48; ++v) {
+      for (int i = 0; i < 64 * 3; ++i) {
+        tile.Row(v)[i] = sheet.Row(row * 48 + v)[column * 64 * 3 + i];
+      }
+    }
+    return NumYellow(tile) > 3;
+  };
+  EXPECT_TRUE(has_hand(0, 0)) << "the can";
+  EXPECT_FALSE(has_hand(1, 0)) << "there is one view of it";
+  EXPECT_TRUE(has_hand(0, 1)) << "mugs";
+  EXPECT_TRUE(has_hand(1, 1));
+  EXPECT_EQ(MakeDemonstrationSheet(poses_, views_, {.views_per_class = 1}).width(), 240);
+}
+
+TEST_F(SheetOfThreeViews, NamesTheViewThatCannotBeDrawn) {
+  const auto draw = [&] { static_cast<void>(MakeDemonstrationSheet(poses_, views_, {})); };
+  views_.items[2].cloud.clear();
+  EXPECT_THROWS_MESSAGE(draw(), Error, HasSubstr("can_0.png: the view has no cloud"));
+  views_.items[2].cloud = "can_0.pcd";
+  perception::WritePng(folder_ / "can_0_mask.png", Image(80, 60));
+  EXPECT_THROWS_MESSAGE(draw(), Error, HasSubstr("can_0_mask.png: the mask shows no object"));
+  WritePcd(folder_ / "can_0.pcd",
+           {.width = 80,
+            .height = 60,
+            .points = std::vector<Eigen::Vector3f>(80 * 60, Eigen::Vector3f::Zero())});
+  EXPECT_THROWS_MESSAGE(draw(), Error, HasSubstr("can_0.pcd: the cloud has 0 points in front"));
+}
+
+TEST(DemonstrationSheetOptions, RefuseWhatCannotBe) {
+  EXPECT_THROWS_MESSAGE(DemonstrationSheetOptions{.views_per_class = 0}.Validate(),
+                        Error,
+                        HasSubstr("DemonstrationSheetOptions.views_per_class is 0"));
+  EXPECT_THROWS_MESSAGE(DemonstrationSheetOptions{.poses_per_view = 0}.Validate(),
+                        Error,
+                        HasSubstr("poses_per_view"));
+  EXPECT_THROWS_MESSAGE(DemonstrationSheetOptions{.tile_width_px = 8}.Validate(),
+                        Error,
+                        HasSubstr("tile_width_px is 8; it must be from 16 to 640"));
+}
+
+}  // namespace
+}  // namespace handcraft::datasets
