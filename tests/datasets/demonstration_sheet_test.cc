@@ -11,32 +11,17 @@
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 #include "lib/perception/image_io.h"
+#include "tests/datasets/small_demonstration_set.h"
 #include "tests/support/expect_throws_message.h"
 #include "tests/support/temporary_directory.h"
 
 namespace handcraft::datasets {
 namespace {
 
+using testing::FromAbove;
 using ::testing::HasSubstr;
+using testing::Reaching;
 using testing::TemporaryDirectory;
-
-// Half a metre above the table, looking straight down: x of the base goes up in the picture.
-synthetic::PinholeCamera FromAbove() {
-  synthetic::PinholeCamera camera{.width_px = 80,
-                                  .height_px = 60,
-                                  .focal_px = 100.0F,
-                                  .centre_u_px = 39.5F,
-                                  .centre_v_px = 29.5F};
-  camera.base_from_camera.linear() << 0, -1, 0, -1, 0, 0, 0, 0, -1;
-  camera.base_from_camera.translation() = Eigen::Vector3f(0.0F, 0.0F, 0.5F);
-  return camera;
-}
-
-EndEffectorPose Reaching(const Eigen::Vector3d& at_m) {
-  EndEffectorPose pose;
-  pose.position_m = at_m;  // z up: the stem hangs below the grasp centre
-  return pose;
-}
 
 // Pixels of the stem's colour, which lines of one pixel blend with what lies below.
 int NumYellow(const Image& image) {
@@ -81,45 +66,11 @@ TEST(DrawHands, LeavesOutWhatIsBehindTheCamera) {
   EXPECT_EQ(picture.values(), Image(80, 60, 3).values()) << "far outside the picture";
 }
 
-// Two views of a mug and one of a can, gray, with a pose in each.
 class SheetOfThreeViews : public ::testing::Test {
  protected:
-  SheetOfThreeViews() {
-    views_.root = folder_.path();
-    poses_.root = folder_.path();
-    for (const std::string name : {"mug_0", "mug_1", "can_0"}) {
-      const synthetic::PinholeCamera camera = FromAbove();
-      OrganisedCloud cloud{.width = camera.width_px, .height = camera.height_px};
-      cloud.base_from_camera = camera.base_from_camera;
-      Image mask(camera.width_px, camera.height_px);
-      for (int v = 0; v < camera.height_px; ++v) {
-        for (int u = 0; u < camera.width_px; ++u) {
-          const Eigen::Vector3f ray = camera.Ray(static_cast<float>(u), static_cast<float>(v));
-          cloud.points.push_back(camera.Origin() + 0.5F * ray);
-          if (std::abs(u - 40) < 8 && std::abs(v - 30) < 8) mask.At(u, v) = kObject;
-        }
-      }
-      WritePcd(folder_ / (name + ".pcd"), cloud);
-      perception::WritePng(folder_ / (name + "_mask.png"), mask);
-      perception::WritePng(folder_ / (name + ".png"), Image(80, 60, 1, 100));
-      const std::string object_class = name.substr(0, 3);
-      views_.items.push_back({.image = name + ".png",
-                              .object_mask = name + "_mask.png",
-                              .cloud = name + ".pcd",
-                              .object_class = object_class,
-                              .instance = object_class,
-                              .split = "train"});
-      poses_.items.push_back({.object_class = object_class,
-                              .instance = object_class,
-                              .view = name + ".png",
-                              .angle_deg = {},
-                              .pose = Reaching({0.0, 0.0, 0.1})});
-    }
-  }
-
   TemporaryDirectory folder_;
-  ViewSet views_;
-  DemonstrationSet poses_;
+  DemonstrationSet poses_ = testing::MakeDemonstrationSet(folder_.path());
+  ViewSet views_ = ReadViewSet(folder_.path());
 };
 
 TEST_F(SheetOfThreeViews, HasARowAClass) {

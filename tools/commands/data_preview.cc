@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <array>
+#include <filesystem>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -9,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/contact_sheet.h"
+#include "datasets/demonstration_sheet.h"
 #include "lib/perception/image_io.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
@@ -27,6 +30,8 @@ struct DataPreviewOptions {
   datasets::PageOptions page;
   int tile_width_px = 0;
   bool is_page = false;
+  bool shows_poses = false;
+  datasets::DemonstrationSheetOptions poses;
   bool json = false;
 };
 
@@ -70,6 +75,44 @@ void RunDataPreview(const DataPreviewOptions& options, const Console& console) {
   }
 }
 
+void RunPosesPreview(const DataPreviewOptions& options, const Console& console) {
+  RequireWritable(options.out);
+  const std::filesystem::path root(options.folder);
+  RequireNotAnInput(options.out, std::array{root / "demonstrations.csv", root / "views.csv"});
+  const datasets::DemonstrationSet set = datasets::ReadDemonstrationSet(root);
+  ProgressBar bar(console);
+  datasets::DemonstrationSheetOptions sheet_options = options.poses;
+  sheet_options.views_per_class = options.overview.images_per_class;
+  if (options.tile_width_px > 0) sheet_options.tile_width_px = options.tile_width_px;
+  sheet_options.progress = bar.Callback();
+  const Image sheet =
+      datasets::MakeDemonstrationSheet(set, datasets::ReadViewSet(root), sheet_options);
+  bar.Clear();
+  perception::WritePng(options.out, sheet);
+  if (options.json) {
+    console.Print({{"file", options.out},
+                   {"width_px", sheet.width()},
+                   {"height_px", sheet.height()},
+                   {"num_poses", set.items.size()}});
+  } else {
+    console.out << "Wrote " << options.out << '\n';
+  }
+}
+
+void AddPoseOptions(CLI::App& command, DataPreviewOptions& options) {
+  CLI::Option* poses = command.add_flag(
+      "--poses", options.shows_poses, "Instead: views of a demonstration set, hands at its poses");
+  AddNumber(command,
+            "--poses-per-view",
+            options.poses,
+            &datasets::DemonstrationSheetOptions::poses_per_view,
+            "At most this many hands in a view, evenly spread over its poses")
+      ->needs(poses);
+  for (const char* other : {"--split", "--class", "--page"}) {
+    poses->excludes(command.get_option(other));
+  }
+}
+
 void AddPageOptions(CLI::App& command, DataPreviewOptions& options) {
   using datasets::PageOptions;
   CLI::Option* page = AddNumber(command,
@@ -90,7 +133,9 @@ void AddDataPreview(CLI::App& parent, const Console& console) {
   auto options = std::make_shared<DataPreviewOptions>();
   CLI::App* command = parent.add_subcommand(
       "preview", "Draw a contact sheet: a row a class, each picture as it is and with its labels");
-  command->add_option("DIR", options->folder, "Folder with manifest.csv")->required();
+  command
+      ->add_option("DIR", options->folder, "Folder with manifest.csv, or with demonstrations.csv")
+      ->required();
   command->add_option("--out", options->out, "PNG to write")->type_name("FILE")->required();
   command->add_option("--split", options->split, "Pictures of this split alone")->type_name("NAME");
   command->add_option("--class", options->object_class, "Pictures of this class alone")
@@ -107,10 +152,17 @@ void AddDataPreview(CLI::App& parent, const Console& console) {
             TakenBy(&datasets::OverviewOptions::tile_width_px),
             "Width of a picture on the sheet [px]")
       ->default_str("128, on a page 160");
+  AddPoseOptions(*command, *options);
   AddThreadsOption(*command, options->page.num_threads);
   AddJsonFlag(*command, options->json);
   SetExample(*command, "handcraft data preview datasets/samples/cornell_mini --out out/sheet.png");
-  command->callback([options, &console] { RunDataPreview(*options, console); });
+  command->callback([options, &console] {
+    if (options->shows_poses) {
+      RunPosesPreview(*options, console);
+    } else {
+      RunDataPreview(*options, console);
+    }
+  });
 }
 
 }  // namespace handcraft::tools

@@ -6,6 +6,7 @@
 
 #include "lib/core/file.h"
 #include "lib/perception/image_io.h"
+#include "tests/datasets/small_demonstration_set.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/tools/support/run.h"
 
@@ -42,6 +43,22 @@ TEST(DataPreview, LeafsThroughASet) {
   const Image page = perception::ReadImage(out);
   EXPECT_EQ(page.width(), 2 * 68);
   EXPECT_EQ(page.height(), 68) << "8 test pictures: 6 and 2";
+}
+
+TEST(DataPreview, DrawsShownPoses) {
+  const TemporaryDirectory folder;
+  handcraft::testing::MakeDemonstrationSet(folder.path());
+  const std::string root = folder.path().string();
+  const std::string out = (folder / "sheet.png").string();
+  const Outcome outcome = RunLine("data preview " + root + " --out " + out +
+                                  " --poses --poses-per-view 5 --tile-width 64 --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["num_poses"], 3);
+  EXPECT_EQ(perception::ReadImage(out).width(), 2 * 64) << "two views of the mug";
+  EXPECT_EQ(RunLine("data preview " + root + " --out " + root + "/views.csv --poses").code, 2);
+  EXPECT_EQ(RunLine("data preview " + root + " --out " + out + " --poses --page 1").code, 2);
+  EXPECT_EQ(RunLine("data preview " + kSample + " --out " + out + " --poses").code, 3);
 }
 
 TEST(DataPreview, ChoosesAClass) {
