@@ -3,6 +3,7 @@
 
 #include "datasets/synthetic/grasp_point_set.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -14,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "datasets/parallel_reporting.h"
+#include "datasets/synthetic/mesh_catalogue.h"
 #include "datasets/synthetic/renderer.h"
 #include "datasets/synthetic/scene.h"
 #include "datasets/synthetic/scene_files.h"
@@ -30,14 +32,35 @@ namespace fs = std::filesystem;
 constexpr int kGeneratorVersion = 1;  // raised when the same options give other bytes
 constexpr int kImagesPerInstance = 4;
 constexpr int kInstancesPerTestInstance = 3;
+constexpr int kInstancesPerMesh = 3;
 constexpr int kSmallImagesPerClass = 24;
+constexpr int kMeshImagesFull = 120;
 constexpr int kMaxImages = 1000000;
 constexpr std::array<std::string_view, 5> kFolders = {
     "images", "masks", "object_masks", "depth", "scenes"};
 
+// What is told apart by its name: a class of drawn objects, of a catalogue's meshes, or of both.
+struct Kind {
+  std::string name;
+  Family family = Family::kTrained;
+  Object (*draw)(Rng& rng) = nullptr;  // nothing: meshes alone
+  int num_objects = 1;
+  int num_images_full = kMeshImagesFull;
+  std::vector<const CatalogueMesh*> meshes = {};
+
+  // The mesh that an instance is of; nothing: it is drawn.
+  [[nodiscard]] const CatalogueMesh* MeshOf(int instance) const {
+    if (meshes.empty()) return nullptr;
+    const auto number = static_cast<std::size_t>(instance);
+    if (draw == nullptr) return meshes[number % meshes.size()];
+    if (number % kInstancesPerMesh != 0) return nullptr;
+    return meshes[number / kInstancesPerMesh % meshes.size()];
+  }
+};
+
 // One picture to make.
 struct Plan {
-  const ObjectClass* kind = nullptr;
+  const Kind* kind = nullptr;
   int number = 0;    // within its class
   int instance = 0;  // within its class
   std::string name;
@@ -47,41 +70,72 @@ struct Plan {
   }
 };
 
-int NumImages(const ObjectClass& kind, std::size_t index, const GraspPointSetOptions& options) {
-  const auto num_classes = static_cast<int>(ClassesOf(options.family).size());
+std::vector<Kind> MakeKinds(const GraspPointSetOptions& options, const MeshCatalogue& catalogue) {
+  std::vector<Kind> kinds;
+  for (const ObjectClass& known : ClassesOf(options.family)) {
+    kinds.push_back({std::string(known.name),
+                     known.family,
+                     known.draw,
+                     known.num_objects,
+                     known.num_images_full,
+                     {}});
+  }
+  for (const CatalogueMesh& mesh : catalogue.meshes) {
+    if (mesh.family != options.family) continue;
+    auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& known) {
+      return known.name == mesh.object_class;
+    });
+    if (kind == kinds.end()) {
+      kind = kinds.insert(kinds.end(), {.name = mesh.object_class, .family = mesh.family});
+    }
+    kind->meshes.push_back(&mesh);
+  }
+  return kinds;
+}
+
+int NumImages(const Kind& kind,
+              std::size_t index,
+              const GraspPointSetOptions& options,
+              int num_kinds) {
   if (options.num_images > 0) {
-    const int left_over = options.num_images % num_classes;
-    return options.num_images / num_classes + (static_cast<int>(index) < left_over ? 1 : 0);
+    const int left_over = options.num_images % num_kinds;
+    return options.num_images / num_kinds + (static_cast<int>(index) < left_over ? 1 : 0);
   }
   return options.size == SetSize::kSmall ? kSmallImagesPerClass : kind.num_images_full;
 }
 
-std::vector<Plan> MakePlans(const GraspPointSetOptions& options) {
+std::vector<Plan> MakePlans(const GraspPointSetOptions& options, const std::vector<Kind>& kinds) {
   std::vector<Plan> plans;
-  const std::span<const ObjectClass> classes = ClassesOf(options.family);
-  for (std::size_t i = 0; i < classes.size(); ++i) {
-    for (int number = 0; number < NumImages(classes[i], i, options); ++number) {
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    const int num_images = NumImages(kinds[i], i, options, static_cast<int>(kinds.size()));
+    for (int number = 0; number < num_images; ++number) {
       const int instance = number / kImagesPerInstance;
       plans.push_back(
-          {&classes[i],
+          {&kinds[i],
            number,
            instance,
-           fmt::format("{}_{:04}_{}", classes[i].name, instance, number % kImagesPerInstance)});
+           fmt::format("{}_{:04}_{}", kinds[i].name, instance, number % kImagesPerInstance)});
     }
   }
   return plans;
 }
 
+bool IsTest(const Plan& plan) {
+  const Family family = plan.kind->family;
+  if (family == Family::kNovel || family == Family::kUntaught) return true;
+  const bool is_third = plan.instance % kInstancesPerTestInstance == kInstancesPerTestInstance - 1;
+  return is_third && plan.kind->MeshOf(plan.instance) == nullptr;
+}
+
 datasets::LabelledImage Describe(const Plan& plan, bool with_right) {
-  const bool is_test = plan.kind->family == Family::kNovel ||
-                       plan.kind->family == Family::kUntaught ||
-                       plan.instance % kInstancesPerTestInstance == kInstancesPerTestInstance - 1;
-  datasets::LabelledImage item{.image = plan.Path("images", ".png"),
-                               .mask = plan.Path("masks", ".png"),
-                               .object_class = std::string(plan.kind->name),
-                               .instance = fmt::format("{}_{:04}", plan.kind->name, plan.instance),
-                               .split = is_test ? "test" : "train",
-                               .licence = std::string(kSyntheticLicence)};
+  const CatalogueMesh* const mesh = plan.kind->MeshOf(plan.instance);
+  datasets::LabelledImage item{
+      .image = plan.Path("images", ".png"),
+      .mask = plan.Path("masks", ".png"),
+      .object_class = plan.kind->name,
+      .instance = fmt::format("{}_{:04}", plan.kind->name, plan.instance),
+      .split = IsTest(plan) ? "test" : "train",
+      .licence = mesh == nullptr ? std::string(kSyntheticLicence) : mesh->licence};
   item.others.emplace(datasets::kObjectMask, plan.Path("object_masks", ".png"));
   item.others.emplace(datasets::kDepth, plan.Path("depth", ".png"));
   item.others.emplace(datasets::kScene, plan.Path("scenes", ".toml"));
@@ -89,26 +143,32 @@ datasets::LabelledImage Describe(const Plan& plan, bool with_right) {
   return item;
 }
 
-std::string ParametersToToml(const GraspPointSetOptions& options, std::size_t num_images) {
-  const std::string text = fmt::format(
+std::string ParametersToToml(const GraspPointSetOptions& options,
+                             const MeshCatalogue& catalogue,
+                             std::size_t num_images) {
+  std::string text = fmt::format(
       "kind = \"grasp-points\"\ngenerator = {}\nfamily = \"{}\"\nseed = {}\nnum_images = {}\n",
       kGeneratorVersion,
       NameOf(options.family),
       options.seed,
       num_images);
+  if (!catalogue.meshes.empty()) text += fmt::format("meshes = \"{}\"\n", catalogue.fingerprint);
   return text + CameraToToml(options.camera,
                              options.with_right ? std::optional(options.baseline_m) : std::nullopt);
 }
 
 Scene DrawPlanned(const Plan& plan, const GraspPointSetOptions& options) {
   const std::uint64_t seed = options.seed;
-  const std::string name(plan.kind->name);
+  const std::string& name = plan.kind->name;
   Rng object_stream =
       Rng::Stream(seed, name + " object", static_cast<std::uint64_t>(plan.instance));
   std::vector<Object> targets;
   targets.reserve(static_cast<std::size_t>(plan.kind->num_objects));
-  for (int i = 0; i < plan.kind->num_objects; ++i)
-    targets.push_back(plan.kind->draw(object_stream));
+  const CatalogueMesh* const mesh = plan.kind->MeshOf(plan.instance);
+  for (int i = 0; i < plan.kind->num_objects; ++i) {
+    targets.push_back(mesh == nullptr ? plan.kind->draw(object_stream)
+                                      : DrawCatalogueObject(*mesh, object_stream));
+  }
   Rng scene_stream = Rng::Stream(seed, name + " scene", static_cast<std::uint64_t>(plan.number));
   Scene scene = DrawScene(targets, scene_stream);
   const Eigen::Isometry3f base_from_camera = scene.camera.base_from_camera;
@@ -162,8 +222,11 @@ void GraspPointSetOptions::Validate() const {
 datasets::LabelledImageSet MakeGraspPointSet(const fs::path& out,
                                              const GraspPointSetOptions& options) {
   options.Validate();
-  const std::vector<Plan> plans = MakePlans(options);
-  PrepareSetFolder(out, ParametersToToml(options, plans.size()), kFolders);
+  const MeshCatalogue catalogue =
+      options.meshes.empty() ? MeshCatalogue{} : ReadMeshCatalogue(options.meshes);
+  const std::vector<Kind> kinds = MakeKinds(options, catalogue);
+  const std::vector<Plan> plans = MakePlans(options, kinds);
+  PrepareSetFolder(out, ParametersToToml(options, catalogue, plans.size()), kFolders);
   datasets::ParallelForReporting(plans.size(),
                                  options.num_threads,
                                  options.progress,

@@ -24,7 +24,13 @@ enum class SetSize {
 struct GraspPointSetOptions {
   Family family = Family::kTrained;
   SetSize size = SetSize::kSmall;
-  int num_images = 0;         ///< spread evenly over the classes instead; 0: as `size` says
+  int num_images = 0;  ///< spread evenly over the classes instead; 0: as `size` says
+  /// A folder of meshes with a meshes.toml; empty: none. Every third instance of a class, from the
+  /// first on, is then of the catalogue's meshes of this class and family; meshes of other classes
+  /// make classes of their own (120 pictures in full). As shapes they are few, a model must not be
+  /// tested on one it was trained on: pictures of them are all in train, or all in test where the
+  /// family is for testing.
+  std::filesystem::path meshes = {};
   bool with_right = false;    ///< also the picture of a second camera, to the right of the first
   float baseline_m = 0.12F;   ///< between the two cameras
   PinholeCamera camera = {};  ///< its intrinsics; the pose is drawn for each picture

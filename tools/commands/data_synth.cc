@@ -22,6 +22,7 @@ struct DataSynthOptions {
   std::string out;
   std::string size = "small";
   std::string family = "trained";
+  std::string meshes;
   synthetic::GraspPointSetOptions set;
   bool json = false;
 };
@@ -29,6 +30,7 @@ struct DataSynthOptions {
 void RunGraspPoints(const DataSynthOptions& options, const Console& console) {
   synthetic::GraspPointSetOptions set_options = options.set;
   set_options.size = options.size == "full" ? SetSize::kFull : SetSize::kSmall;
+  set_options.meshes = options.meshes;
   set_options.family = synthetic::FamilyNamed(options.family);
   ProgressBar bar(console);
   set_options.progress = bar.Callback();
@@ -73,6 +75,11 @@ void AddGraspPoints(CLI::App& group, const Console& console) {
                    "untaught, regrasp: six, eight and four kinds that a whole hand closes around")
       ->check(CLI::IsMember({"trained", "novel", "taught", "untaught", "regrasp"}))
       ->capture_default_str();
+  command
+      ->add_option("--meshes",
+                   options->meshes,
+                   "Folder of meshes with a meshes.toml, to take objects from besides")
+      ->type_name("DIR");
   command->add_flag(
       "--stereo", options->set.with_right, "Also what a camera 0.12 m to the right sees");
   AddSeedOption(*command, options->set.seed);

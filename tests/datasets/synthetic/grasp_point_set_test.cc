@@ -115,6 +115,47 @@ TEST(MakeGraspPointSet, RefusesToGoOnWithOtherOptions) {
   refuses({.num_images = 1});
 }
 
+// A catalogue of two meshes: one of a class that is there, one of a new class.
+void WriteCatalogue(const fs::path& folder, float height) {
+  fs::create_directory(folder);
+  WriteFileAtomically(folder / "a.obj",
+                      "v 0 0 0\nv .1 0 0\nv 0 .1 0\nv 0 0 " + std::to_string(height) +
+                          "\no foot\nf 1 3 2\no rest\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  std::string text;
+  for (const std::string name : {"coffee_can", "wedge"}) {
+    text += "[[mesh]]\nfile = \"a.obj\"\nclass = \"" + name +
+            "\"\nfamily = \"regrasp\"\nlicence = \"MIT\"\ngraspable_names = [\"rest\"]\n";
+  }
+  WriteFileAtomically(folder / "meshes.toml", text);
+}
+
+TEST(MakeGraspPointSet, TakesEveryThirdInstanceFromTheMeshes) {
+  const TemporaryDirectory folder;
+  WriteCatalogue(folder / "meshes", 0.1F);
+  const GraspPointSetOptions options{.family = Family::kRegrasp,
+                                     .num_images = 45,
+                                     .meshes = folder / "meshes",
+                                     .camera = kSmallCamera};
+  const datasets::LabelledImageSet set = MakeGraspPointSet(folder / "set", options);
+  std::map<std::string, std::string> licences;
+  std::map<std::string, std::string> splits;
+  for (const datasets::LabelledImage& item : set.items) {
+    licences[item.instance] = item.licence;
+    splits[item.instance] = item.split;
+  }
+  EXPECT_EQ(licences["coffee_can_0000"], "MIT");
+  EXPECT_EQ(licences["coffee_can_0001"], "CC0-1.0");
+  EXPECT_EQ(licences["drill_0000"], "CC0-1.0");
+  EXPECT_EQ(licences["wedge_0002"], "MIT");
+  EXPECT_EQ(splits["coffee_can_0002"], "test");
+  EXPECT_EQ(splits["wedge_0002"], "train") << "the same shape as wedge_0000";
+  EXPECT_THAT(ReadTextFile(folder / "set/dataset.toml"), HasSubstr("\nmeshes = \""));
+  WriteCatalogue(folder / "meshes", 0.12F);
+  EXPECT_THROWS_MESSAGE(MakeGraspPointSet(folder / "set", options),
+                        Error,
+                        HasSubstr("dataset.toml: tells of a set made with other options"));
+}
+
 TEST(GraspPointSetOptions, RefusesWhatCannotBe) {
   EXPECT_THROWS_MESSAGE(GraspPointSetOptions{.num_images = -1}.Validate(),
                         Error,

@@ -31,6 +31,7 @@ THIRD_PARTY_HEADERS = {
     r"opencv2/imgcodecs[/.]": "opencv_imgcodecs",
     r"nlohmann/": "nlohmann_json::nlohmann_json",
     r"tinyxml2\.h$": "tinyxml2::tinyxml2",
+    r"toml\+\+/": "tomlplusplus::tomlplusplus",
     r"fmt/": "fmt::fmt",
     r"CLI/": "CLI11::CLI11",
     r"benchmark/": "benchmark::benchmark",
