@@ -1,11 +1,14 @@
+# Links a test in an eighth of the time that GNU ld takes.
+find_program(HANDCRAFT_LLD ld.lld)
+
 # handcraft_add_test(PATH LINKS own... [THIRD third...])
 #
 # Builds tests/PATH.cc (PATH ends in _test) against GoogleTest and registers it under its path, so
 # `ctest -R lib/core` runs a folder. The executable runs in tests/ and finds its data below data/.
 # A test carries its folder as label (lib/core, trainers/logistic_irls, datasets, ...), and target
-# lib_core_tests and its like build a folder's tests: the sanitizer presets pick theirs by name.
-find_program(HANDCRAFT_LLD ld.lld)  # links a test in an eighth of the time that GNU ld takes
-
+# lib_core_tests and its like build a folder's tests: the sanitizer presets pick theirs by name. A test
+# whose source asks for threads carries the label "threads" besides, and target threads_tests builds
+# it: the thread sanitizer has nothing to look for in the others.
 function(handcraft_add_test path)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LINKS;THIRD")
   string(REPLACE "/" "_" target ${path})
@@ -22,13 +25,22 @@ function(handcraft_add_test path)
   handcraft_label_test(${path} ${target})
 endfunction()
 
-# Gives test PATH its folder's label and makes the folder's target build TARGET.
+# Gives test PATH its folder's label and makes the folder's target build TARGET; the same with threads.
 function(handcraft_label_test path target)
-  string(REGEX MATCH "^((lib|trainers)/)?[^/]+" folder ${path})
-  set_property(TEST ${path} APPEND PROPERTY LABELS ${folder})
-  string(REPLACE "/" "_" folder_target ${folder}_tests)
-  if(NOT TARGET ${folder_target})
-    add_custom_target(${folder_target})
+  string(REGEX MATCH "^((lib|trainers)/)?[^/]+" labels ${path})
+  set(source "${PROJECT_SOURCE_DIR}/tests/${path}.cc")
+  if(EXISTS "${source}")
+    file(STRINGS "${source}" uses_threads LIMIT_COUNT 1 REGEX "num_threads|std::j?thread|ParallelFor")
+    if(uses_threads AND NOT path MATCHES "^tools/")  # those start none of their own
+      list(APPEND labels threads)
+    endif()
   endif()
-  add_dependencies(${folder_target} ${target})
+  foreach(label IN LISTS labels)
+    set_property(TEST ${path} APPEND PROPERTY LABELS ${label})
+    string(REPLACE "/" "_" label_target ${label}_tests)
+    if(NOT TARGET ${label_target})
+      add_custom_target(${label_target})
+    endif()
+    add_dependencies(${label_target} ${target})
+  endforeach()
 endfunction()
