@@ -5,12 +5,13 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <filesystem>
 #include <map>
+#include <set>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -19,7 +20,6 @@
 #include "lib/core/error.h"
 #include "lib/core/option_rules.h"
 #include "lib/perception/image_header.h"
-#include "lib/perception/overlay.h"
 
 namespace handcraft::datasets {
 namespace {
@@ -109,6 +109,26 @@ std::map<std::string_view, std::vector<const SheetPicture*>> ChooseByRow(
   return rows;
 }
 
+// Those whose field has this value; all when it is empty.
+std::vector<SheetPicture> Keep(const std::vector<SheetPicture>& pictures,
+                               std::string SheetPicture::*field,
+                               std::string_view what,
+                               const std::string& value) {
+  if (value.empty()) return pictures;
+  std::vector<SheetPicture> kept;
+  std::set<std::string> values;
+  for (const SheetPicture& picture : pictures) {
+    values.insert("'" + picture.*field + "'");
+    if (picture.*field == value) kept.push_back(picture);
+  }
+  if (kept.empty()) {
+    throw Error(
+        {.kind = Error::Kind::kUsage,
+         .reason = fmt::format("no {} '{}'; there are: {}", what, value, fmt::join(values, ", "))});
+  }
+  return kept;
+}
+
 void RequireTileWidth(const std::string& field, int width_px) {
   RequireOption(width_px >= 16 && width_px <= 640, field, width_px, "from 16 to 640");
 }
@@ -119,21 +139,13 @@ void RequireUpTo100(const std::string& field, int value) {
 
 }  // namespace
 
-std::vector<SheetPicture> SheetPicturesOf(const LabelledImageSet& set) {
-  std::vector<SheetPicture> pictures;
-  for (std::size_t i = 0; i < set.items.size(); ++i) {
-    const LabelledImage& item = set.items[i];
-    pictures.push_back({.row = item.object_class,
-                        .caption = std::filesystem::path(item.image).stem().string(),
-                        .draw = [&set, i] {
-                          const LabelledPicture picture = ReadLabelledPicture(set, i);
-                          const Image no_labels(picture.mask.width(), picture.mask.height());
-                          return std::vector<Image>{
-                              perception::DrawLabelMask(picture.image, no_labels),
-                              perception::DrawLabelMask(picture.image, picture.mask)};
-                        }});
-  }
-  return pictures;
+std::vector<SheetPicture> Choose(const std::vector<SheetPicture>& pictures,
+                                 const std::string& split,
+                                 const std::string& object_class) {
+  return Keep(Keep(pictures, &SheetPicture::split, "split", split),
+              &SheetPicture::row,
+              "class",
+              object_class);
 }
 
 void OverviewOptions::Validate() const {

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "datasets/formats/labelled_image_set.h"
 #include "lib/core/image.h"
 #include "lib/core/progress.h"
 
@@ -19,16 +18,19 @@ namespace handcraft::datasets {
 
 /// A picture that a sheet may show.
 struct SheetPicture {
-  std::string row;      ///< pictures of the same name stand in one row: the class
-  std::string caption;  ///< what a page writes under it
+  std::string row;         ///< pictures of the same name stand in one row: the class
+  std::string split = {};  ///< train, test or any other name
+  std::string caption;     ///< what a page writes under it
   /// The picture and what is known of it, side by side: as many for each of a set, in blue, green,
   /// red. Called at most once a sheet, from any thread.
   std::function<std::vector<Image>()> draw;
 };
 
-/// Each picture of a set as it is and with its labels over it (good green, don't care blue). The
-/// set must outlive them.
-[[nodiscard]] std::vector<SheetPicture> SheetPicturesOf(const LabelledImageSet& set);
+/// Those of one split and one class; an empty name takes all. Throws Error(kUsage) naming the ones
+/// that there are when none is left.
+[[nodiscard]] std::vector<SheetPicture> Choose(const std::vector<SheetPicture>& pictures,
+                                               const std::string& split,
+                                               const std::string& object_class);
 
 struct OverviewOptions {
   int images_per_class = 2;  ///< at most this many of each row, evenly spread over it; 1 ... 100

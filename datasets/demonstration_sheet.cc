@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -67,18 +68,6 @@ PosesOfViews GroupPoses(const DemonstrationSet& set, int poses_per_view) {
     }
   }
   return poses;
-}
-
-// For each class some of its views that have poses.
-std::map<std::string, std::vector<std::size_t>> ChooseViews(const ViewSet& views,
-                                                            const PosesOfViews& poses,
-                                                            int views_per_class) {
-  std::map<std::string, std::vector<std::size_t>> by_class;
-  for (std::size_t i = 0; i < views.items.size(); ++i) {
-    if (poses.contains(views.items[i].image)) by_class[views.items[i].object_class].push_back(i);
-  }
-  for (auto& [name, indices] : by_class) indices = SpreadEvenly(indices, views_per_class);
-  return by_class;
 }
 
 // The part of the picture with the object in its middle, about twice as large, 4 to 3.
@@ -143,23 +132,9 @@ Image DrawTile(const ViewSet& views,
   return tile;
 }
 
-void RoundColours(Image& sheet) {
-  constexpr int kStep = 8;
-  for (int v = 0; v < sheet.height(); ++v) {
-    std::uint8_t* const row = sheet.Row(v);
-    for (int i = 0; i < sheet.width() * sheet.channels(); ++i) {
-      row[i] = static_cast<std::uint8_t>(row[i] / kStep * kStep + kStep / 2);
-    }
-  }
-}
-
 }  // namespace
 
 void DemonstrationSheetOptions::Validate() const {
-  RequireOption(views_per_class >= 1 && views_per_class <= 100,
-                "DemonstrationSheetOptions.views_per_class",
-                views_per_class,
-                "from 1 to 100");
   RequireOption(poses_per_view >= 1 && poses_per_view <= 10000,
                 "DemonstrationSheetOptions.poses_per_view",
                 poses_per_view,
@@ -203,32 +178,25 @@ void DrawHands(Image& picture,
   }
 }
 
-Image MakeDemonstrationSheet(const DemonstrationSet& demonstrations,
-                             const ViewSet& views,
-                             const DemonstrationSheetOptions& options) {
+std::vector<SheetPicture> SheetPicturesOf(const DemonstrationSet& demonstrations,
+                                          const ViewSet& views,
+                                          const DemonstrationSheetOptions& options) {
   options.Validate();
   const PosesOfViews poses = GroupPoses(demonstrations, options.poses_per_view);
-  const auto by_class = ChooseViews(views, poses, options.views_per_class);
-  HC_CHECK(!by_class.empty(), demonstrations.items.size(), views.items.size());
-  std::size_t columns = 0;
-  for (const auto& [name, indices] : by_class) columns = std::max(columns, indices.size());
   const cv::Size tile(options.tile_width_px, options.tile_width_px * 3 / 4);
-  Image sheet(
-      tile.width * static_cast<int>(columns), tile.height * static_cast<int>(by_class.size()), 3);
-  int row = 0;
-  for (const auto& [name, indices] : by_class) {
-    Report(options.progress, "drawing classes", static_cast<std::size_t>(row), by_class.size());
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-      const std::size_t index = indices[i];
-      Image drawn = DrawTile(views, index, poses.find(views.items[index].image)->second, tile);
-      const cv::Rect place(
-          tile.width * static_cast<int>(i), tile.height * row, tile.width, tile.height);
-      PixelsOf(drawn).copyTo(PixelsOf(sheet)(place));
-    }
-    ++row;
+  std::vector<SheetPicture> pictures;
+  for (std::size_t i = 0; i < views.items.size(); ++i) {
+    const ObjectView& view = views.items[i];
+    const auto shown = poses.find(view.image);
+    if (shown == poses.end()) continue;
+    pictures.push_back({.row = view.object_class,
+                        .split = view.split,
+                        .caption = std::filesystem::path(view.image).stem().string(),
+                        .draw = [&views, i, shown = shown->second, tile] {
+                          return std::vector<Image>{DrawTile(views, i, shown, tile)};
+                        }});
   }
-  RoundColours(sheet);
-  return sheet;
+  return pictures;
 }
 
 }  // namespace handcraft::datasets

@@ -4,20 +4,19 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
+#include "datasets/contact_sheet.h"
 #include "datasets/formats/demonstration_set.h"
 #include "datasets/formats/view_set.h"
 #include "datasets/synthetic/camera.h"
 #include "lib/core/image.h"
-#include "lib/core/progress.h"
 
 namespace handcraft::datasets {
 
 struct DemonstrationSheetOptions {
-  int views_per_class = 3;  ///< at most this many of each class, evenly spread over it; 1 ... 100
   int poses_per_view = 24;  ///< at most this many in a view, evenly spread over its rows; 1 ... 10⁴
-  int tile_width_px = 240;  ///< a tile is three quarters as high; 16 ... 640
-  Progress progress = {};
+  int tile_width_px = 240;  ///< of the sheet that they are drawn for; 16 ... 640
 
   /// Throws Error(kUsage) naming field, value and rule.
   void Validate() const;
@@ -31,12 +30,12 @@ void DrawHands(Image& picture,
                const synthetic::PinholeCamera& camera,
                std::span<const EndEffectorPose> poses);
 
-/// One picture of a demonstration set: a row a class, in alphabetical order, and in it some of its
-/// views about the object, with hands at their poses. Where the camera stood is found from each
-/// view's cloud (FitCamera). Colours are rounded to 32 levels. Throws Error for files that cannot
-/// be read and for a view to be drawn that has no cloud or no object in its mask.
-[[nodiscard]] Image MakeDemonstrationSheet(const DemonstrationSet& demonstrations,
-                                           const ViewSet& views,
-                                           const DemonstrationSheetOptions& options);
+/// What contact sheets show of a demonstration set: of each view with poses the part about its
+/// object, with hands at them. Where the camera stood is found from the view's cloud (FitCamera).
+/// Drawing throws Error for files that cannot be read and for a view that has no cloud or no object
+/// in its mask. The views must outlive the pictures.
+[[nodiscard]] std::vector<SheetPicture> SheetPicturesOf(const DemonstrationSet& demonstrations,
+                                                        const ViewSet& views,
+                                                        const DemonstrationSheetOptions& options);
 
 }  // namespace handcraft::datasets

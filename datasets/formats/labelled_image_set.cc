@@ -150,27 +150,6 @@ void CheckMaskValues(const Image& mask, const fs::path& path) {
 
 std::string FileDigest(const fs::path& path) { return Sha256Hex(ReadFile(path)); }
 
-// The items whose field has this value; all when it is empty.
-LabelledImageSet Choose(const LabelledImageSet& set,
-                        std::string LabelledImage::*field,
-                        std::string_view column,
-                        const std::string& value) {
-  if (value.empty()) return set;
-  LabelledImageSet chosen{.root = set.root, .items = {}};
-  std::set<std::string> values;
-  for (const LabelledImage& item : set.items) {
-    values.insert(item.*field);
-    if (item.*field == value) chosen.items.push_back(item);
-  }
-  if (!chosen.items.empty()) return chosen;
-  std::string names;
-  for (const std::string& name : values) names += (names.empty() ? "" : ", ") + Quoted(name);
-  throw Error(
-      {.kind = Error::Kind::kUsage,
-       .path = set.root.string(),
-       .reason = "no " + std::string(column) + " " + Quoted(value) + "; there are: " + names});
-}
-
 }  // namespace
 
 std::string LabelledImage::Companion(std::string_view column) const {
@@ -178,12 +157,22 @@ std::string LabelledImage::Companion(std::string_view column) const {
   return found == others.end() ? std::string() : found->second;
 }
 
-LabelledImageSet LabelledImageSet::Only(const std::string& wanted) const {
-  return Choose(*this, &LabelledImage::split, "split", wanted);
-}
-
-LabelledImageSet LabelledImageSet::OnlyClass(const std::string& wanted) const {
-  return Choose(*this, &LabelledImage::object_class, "class", wanted);
+LabelledImageSet LabelledImageSet::Only(const std::string& split) const {
+  if (split.empty()) return *this;
+  LabelledImageSet chosen{.root = root, .items = {}};
+  std::set<std::string> splits;
+  for (const LabelledImage& item : items) {
+    splits.insert(item.split);
+    if (item.split == split) chosen.items.push_back(item);
+  }
+  if (chosen.items.empty()) {
+    std::string names;
+    for (const std::string& name : splits) names += (names.empty() ? "" : ", ") + Quoted(name);
+    throw Error({.kind = Error::Kind::kUsage,
+                 .path = root.string(),
+                 .reason = "no split " + Quoted(split) + "; there are: " + names});
+  }
+  return chosen;
 }
 
 LabelledImageSet ReadLabelledImageSet(const fs::path& root) {

@@ -57,8 +57,6 @@ struct LabelledImageSet {
   /// The items of one split, in order; all when `split` is empty. Throws Error(kUsage) naming the
   /// splits there are when there is none of that name.
   [[nodiscard]] LabelledImageSet Only(const std::string& split) const;
-  /// The items of one class, likewise.
-  [[nodiscard]] LabelledImageSet OnlyClass(const std::string& object_class) const;
 };
 
 /// Reads and checks the manifest: columns, file names inside the folder, no instance in two splits.

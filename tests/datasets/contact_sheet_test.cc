@@ -3,6 +3,9 @@
 
 #include "datasets/contact_sheet.h"
 
+#include <gmock/gmock.h>
+
+#include "datasets/sheet_pictures.h"
 #include "lib/core/error.h"
 #include "tests/datasets/small_image_set.h"
 #include "tests/support/expect_throws_message.h"
@@ -103,6 +106,20 @@ TEST(DrawPage, ShowsLabelsAndCaptions) {
     for (int v = 48; v < 64; ++v) lit += page.At(u, v, 0) > 100 ? 1 : 0;
   }
   EXPECT_GT(lit, 10) << "its name is written below";
+}
+
+TEST(Choose, TakesASplitAndAClass) {
+  std::vector<SheetPicture> pictures = Grays(4);
+  pictures[1].split = pictures[2].split = "test";
+  pictures[2].row = pictures[3].row = "mug";
+  EXPECT_EQ(Choose(pictures, "", "").size(), 4U);
+  EXPECT_EQ(Choose(pictures, "test", "").size(), 2U);
+  EXPECT_EQ(Choose(pictures, "", "mug").size(), 2U);
+  EXPECT_EQ(Choose(pictures, "test", "mug").size(), 1U);
+  EXPECT_THROWS_MESSAGE(
+      Choose(pictures, "", "cup"), Error, HasSubstr("no class 'cup'; there are: 'gray', 'mug'"));
+  EXPECT_THROWS_MESSAGE(
+      Choose(pictures, "x", ""), Error, HasSubstr("no split 'x'; there are: '', 'test'"));
 }
 
 TEST(DrawPage, NamesWhatIsWrong) {

@@ -73,28 +73,27 @@ class SheetOfThreeViews : public ::testing::Test {
   ViewSet views_ = ReadViewSet(folder_.path());
 };
 
-TEST_F(SheetOfThreeViews, HasARowAClass) {
-  const Image sheet = MakeDemonstrationSheet(poses_, views_, {.tile_width_px = 64});
-  EXPECT_EQ(sheet.width(), 2 * 64);
-  EXPECT_EQ(sheet.height(), 2 * 48);
-  const auto has_hand = [&](int column, int row) {
-    Image tile(64, 48, 3);
-    for (int v = 0; v < 48; ++v) {
-      for (int i = 0; i < 64 * 3; ++i) {
-        tile.Row(v)[i] = sheet.Row(row * 48 + v)[column * 64 * 3 + i];
-      }
-    }
-    return NumYellow(tile) > 3;
-  };
-  EXPECT_TRUE(has_hand(0, 0)) << "the can";
-  EXPECT_FALSE(has_hand(1, 0)) << "there is one view of it";
-  EXPECT_TRUE(has_hand(0, 1)) << "mugs";
-  EXPECT_TRUE(has_hand(1, 1));
-  EXPECT_EQ(MakeDemonstrationSheet(poses_, views_, {.views_per_class = 1}).width(), 240);
+TEST_F(SheetOfThreeViews, HasAHandInEachViewWithPoses) {
+  views_.items.push_back(views_.items[0]);
+  views_.items.back().image = "without_poses.png";
+  const std::vector<SheetPicture> pictures = SheetPicturesOf(poses_, views_, {.tile_width_px = 64});
+  ASSERT_EQ(pictures.size(), 3U);
+  EXPECT_EQ(pictures[0].row, "mug");
+  EXPECT_EQ(pictures[0].caption, "mug_0");
+  EXPECT_EQ(pictures[2].row, "can");
+  for (const SheetPicture& picture : pictures) {
+    const std::vector<Image> drawn = picture.draw();
+    ASSERT_EQ(drawn.size(), 1U);
+    EXPECT_EQ(drawn[0].width(), 64);
+    EXPECT_EQ(drawn[0].height(), 48);
+    EXPECT_GT(NumYellow(drawn[0]), 3) << picture.caption;
+  }
 }
 
 TEST_F(SheetOfThreeViews, NamesTheViewThatCannotBeDrawn) {
-  const auto draw = [&] { static_cast<void>(MakeDemonstrationSheet(poses_, views_, {})); };
+  const auto draw = [&] {
+    for (const SheetPicture& picture : SheetPicturesOf(poses_, views_, {})) picture.draw();
+  };
   views_.items[2].cloud.clear();
   EXPECT_THROWS_MESSAGE(draw(), Error, HasSubstr("can_0.png: the view has no cloud"));
   views_.items[2].cloud = "can_0.pcd";
@@ -108,9 +107,6 @@ TEST_F(SheetOfThreeViews, NamesTheViewThatCannotBeDrawn) {
 }
 
 TEST(DemonstrationSheetOptions, RefuseWhatCannotBe) {
-  EXPECT_THROWS_MESSAGE(DemonstrationSheetOptions{.views_per_class = 0}.Validate(),
-                        Error,
-                        HasSubstr("DemonstrationSheetOptions.views_per_class is 0"));
   EXPECT_THROWS_MESSAGE(DemonstrationSheetOptions{.poses_per_view = 0}.Validate(),
                         Error,
                         HasSubstr("poses_per_view"));

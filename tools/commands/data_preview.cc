@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <ostream>
@@ -12,6 +11,7 @@
 
 #include "datasets/contact_sheet.h"
 #include "datasets/demonstration_sheet.h"
+#include "datasets/sheet_pictures.h"
 #include "lib/perception/image_io.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
@@ -20,6 +20,8 @@
 
 namespace handcraft::tools {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct DataPreviewOptions {
   std::string folder;
@@ -35,28 +37,71 @@ struct DataPreviewOptions {
   bool json = false;
 };
 
+// The set that a folder holds, and its pictures, which refer to it.
+struct Gallery {
+  datasets::LabelledImageSet images;
+  datasets::ViewSet views;
+  std::vector<datasets::SheetPicture> pictures;
+
+  [[nodiscard]] std::vector<fs::path> Files() const {
+    std::vector<fs::path> files = FilesOf(images);
+    files.push_back(views.root / "views.csv");
+    files.push_back(views.root / "demonstrations.csv");
+    for (const datasets::ObjectView& view : views.items) {
+      for (const std::string& path : {view.image, view.object_mask, view.cloud, view.depth})
+        files.push_back(views.root / path);
+    }
+    return files;
+  }
+};
+
+std::unique_ptr<Gallery> OpenGallery(const DataPreviewOptions& options) {
+  auto gallery = std::make_unique<Gallery>();
+  const fs::path root(options.folder);
+  if (options.shows_poses) {
+    const datasets::DemonstrationSet poses = datasets::ReadDemonstrationSet(root);
+    gallery->views = datasets::ReadViewSet(root);
+    datasets::DemonstrationSheetOptions sheet = options.poses;
+    if (options.tile_width_px > 0) sheet.tile_width_px = options.tile_width_px;
+    gallery->pictures = datasets::SheetPicturesOf(poses, gallery->views, sheet);
+  } else if (datasets::IsViewSet(root)) {
+    gallery->views = datasets::ReadViewSet(root);
+    gallery->pictures = datasets::SheetPicturesOf(gallery->views);
+  } else {
+    gallery->images = datasets::ReadLabelledImageSet(root);
+    gallery->pictures = datasets::SheetPicturesOf(gallery->images);
+  }
+  return gallery;
+}
+
+// The width of a tile when the user asks for none.
+int TileWidth(const DataPreviewOptions& options, int usual_px) {
+  if (options.tile_width_px > 0) return options.tile_width_px;
+  return options.shows_poses ? options.poses.tile_width_px : usual_px;
+}
+
 Image DrawSheet(const DataPreviewOptions& options,
                 const std::vector<datasets::SheetPicture>& pictures,
                 const Progress& progress) {
   if (options.is_page) {
     datasets::PageOptions page = options.page;
     page.progress = progress;
-    if (options.tile_width_px > 0) page.tile_width_px = options.tile_width_px;
+    page.tile_width_px = TileWidth(options, page.tile_width_px);
     return datasets::DrawPage(pictures, page);
   }
   datasets::OverviewOptions overview = options.overview;
   overview.progress = progress;
   overview.num_threads = options.page.num_threads;
-  if (options.tile_width_px > 0) overview.tile_width_px = options.tile_width_px;
+  overview.tile_width_px = TileWidth(options, overview.tile_width_px);
   return datasets::DrawOverview(pictures, overview);
 }
 
 void RunDataPreview(const DataPreviewOptions& options, const Console& console) {
   RequireWritable(options.out);
-  const datasets::LabelledImageSet whole = datasets::ReadLabelledImageSet(options.folder);
-  RequireNotAnInput(options.out, FilesOf(whole));
-  const datasets::LabelledImageSet set = whole.Only(options.split).OnlyClass(options.object_class);
-  const std::vector<datasets::SheetPicture> pictures = datasets::SheetPicturesOf(set);
+  const std::unique_ptr<Gallery> gallery = OpenGallery(options);
+  RequireNotAnInput(options.out, gallery->Files());
+  const std::vector<datasets::SheetPicture> pictures =
+      datasets::Choose(gallery->pictures, options.split, options.object_class);
   ProgressBar bar(console);
   const Image sheet = DrawSheet(options, pictures, bar.Callback());
   bar.Clear();
@@ -75,42 +120,15 @@ void RunDataPreview(const DataPreviewOptions& options, const Console& console) {
   }
 }
 
-void RunPosesPreview(const DataPreviewOptions& options, const Console& console) {
-  RequireWritable(options.out);
-  const std::filesystem::path root(options.folder);
-  RequireNotAnInput(options.out, std::array{root / "demonstrations.csv", root / "views.csv"});
-  const datasets::DemonstrationSet set = datasets::ReadDemonstrationSet(root);
-  ProgressBar bar(console);
-  datasets::DemonstrationSheetOptions sheet_options = options.poses;
-  sheet_options.views_per_class = options.overview.images_per_class;
-  if (options.tile_width_px > 0) sheet_options.tile_width_px = options.tile_width_px;
-  sheet_options.progress = bar.Callback();
-  const Image sheet =
-      datasets::MakeDemonstrationSheet(set, datasets::ReadViewSet(root), sheet_options);
-  bar.Clear();
-  perception::WritePng(options.out, sheet);
-  if (options.json) {
-    console.Print({{"file", options.out},
-                   {"width_px", sheet.width()},
-                   {"height_px", sheet.height()},
-                   {"num_poses", set.items.size()}});
-  } else {
-    console.out << "Wrote " << options.out << '\n';
-  }
-}
-
 void AddPoseOptions(CLI::App& command, DataPreviewOptions& options) {
   CLI::Option* poses = command.add_flag(
-      "--poses", options.shows_poses, "Instead: views of a demonstration set, hands at its poses");
+      "--poses", options.shows_poses, "Views of a demonstration set with hands at its poses");
   AddNumber(command,
             "--poses-per-view",
             options.poses,
             &datasets::DemonstrationSheetOptions::poses_per_view,
             "At most this many hands in a view, evenly spread over its poses")
       ->needs(poses);
-  for (const char* other : {"--split", "--class", "--page"}) {
-    poses->excludes(command.get_option(other));
-  }
 }
 
 void AddPageOptions(CLI::App& command, DataPreviewOptions& options) {
@@ -134,7 +152,8 @@ void AddDataPreview(CLI::App& parent, const Console& console) {
   CLI::App* command = parent.add_subcommand(
       "preview", "Draw a contact sheet: a row a class, each picture as it is and with its labels");
   command
-      ->add_option("DIR", options->folder, "Folder with manifest.csv, or with demonstrations.csv")
+      ->add_option(
+          "DIR", options->folder, "Folder with manifest.csv, views.csv or demonstrations.csv")
       ->required();
   command->add_option("--out", options->out, "PNG to write")->type_name("FILE")->required();
   command->add_option("--split", options->split, "Pictures of this split alone")->type_name("NAME");
@@ -151,18 +170,12 @@ void AddDataPreview(CLI::App& parent, const Console& console) {
             options->tile_width_px,
             TakenBy(&datasets::OverviewOptions::tile_width_px),
             "Width of a picture on the sheet [px]")
-      ->default_str("128, on a page 160");
+      ->default_str("128, on a page 160, with poses 240");
   AddPoseOptions(*command, *options);
   AddThreadsOption(*command, options->page.num_threads);
   AddJsonFlag(*command, options->json);
   SetExample(*command, "handcraft data preview datasets/samples/cornell_mini --out out/sheet.png");
-  command->callback([options, &console] {
-    if (options->shows_poses) {
-      RunPosesPreview(*options, console);
-    } else {
-      RunDataPreview(*options, console);
-    }
-  });
+  command->callback([options, &console] { RunDataPreview(*options, console); });
 }
 
 }  // namespace handcraft::tools

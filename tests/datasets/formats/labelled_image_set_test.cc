@@ -165,17 +165,6 @@ TEST(LabelledImageSet, ChoosesASplit) {
                         HasSubstr("no split 'validation'; there are: 'test', 'train'"));
 }
 
-TEST(LabelledImageSet, ChoosesAClass) {
-  const TemporaryDirectory folder;
-  LabelledImageSet set = MakeSet(folder.path());
-  set.items[1].object_class = "mug";
-  EXPECT_THAT(set.OnlyClass("").items, SizeIs(3));
-  ASSERT_THAT(set.OnlyClass("mug").items, SizeIs(1));
-  EXPECT_EQ(set.OnlyClass("mug").items[0].image, "b.png");
-  EXPECT_THROWS_MESSAGE(
-      set.OnlyClass("cup"), Error, HasSubstr("no class 'cup'; there are: 'mug', 'object'"));
-}
-
 TEST(ReadLabelledPicture, ReadsPictureAndMask) {
   const TemporaryDirectory folder;
   const LabelledImageSet set = MakeSet(folder.path());

@@ -54,11 +54,24 @@ TEST(DataPreview, DrawsShownPoses) {
                                   " --poses --poses-per-view 5 --tile-width 64 --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const auto json = nlohmann::json::parse(outcome.out);
-  EXPECT_EQ(json["num_poses"], 3);
+  EXPECT_EQ(json["num_images"], 3);
   EXPECT_EQ(perception::ReadImage(out).width(), 2 * 64) << "two views of the mug";
   EXPECT_EQ(RunLine("data preview " + root + " --out " + root + "/views.csv --poses").code, 2);
-  EXPECT_EQ(RunLine("data preview " + root + " --out " + out + " --poses --page 1").code, 2);
+  EXPECT_EQ(RunLine("data preview " + root + " --out " + out + " --poses --page 1").code, 0);
+  EXPECT_EQ(perception::ReadImage(out).width(), 3 * (240 + 4));
   EXPECT_EQ(RunLine("data preview " + kSample + " --out " + out + " --poses").code, 3);
+}
+
+TEST(DataPreview, DrawsViewsTheirDepthsAndTheirObjects) {
+  const TemporaryDirectory folder;
+  handcraft::testing::MakeDemonstrationSet(folder.path());
+  const std::string root = folder.path().string();
+  const std::string out = (folder / "sheet.png").string();
+  const Outcome outcome =
+      RunLine("data preview " + root + " --out " + out + " --class mug --tile-width 64");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(perception::ReadImage(out).width(), 2 * 3 * 64);
+  EXPECT_EQ(RunLine("data preview " + root + " --out " + root + "/mug_0.pcd").code, 2);
 }
 
 TEST(DataPreview, ChoosesAClass) {
