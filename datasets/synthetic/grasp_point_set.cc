@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kGeneratorVersion = 1;  // raised when the same options give other bytes
+constexpr int kGeneratorVersion = 2;  // raised when the same options give other bytes
 constexpr int kImagesPerInstance = 4;
 constexpr int kInstancesPerTestInstance = 3;
 constexpr int kInstancesPerMesh = 3;

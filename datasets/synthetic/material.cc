@@ -147,6 +147,13 @@ Material Painted(const Colour& colour, float specular) {
   return material;
 }
 
+Material Clear(const Colour& tint) {
+  Material clear = Painted(tint, 0.04F);
+  clear.transmission = 0.97F;
+  clear.shininess = 500.0F;
+  return clear;
+}
+
 Material DrawMetal(Rng& rng) {
   Material metal = Painted(Colour::Constant(Between(rng, 0.15F, 0.35F)), 0.35F);
   metal.shininess = Between(rng, 20.0F, 80.0F);

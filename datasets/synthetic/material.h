@@ -27,10 +27,11 @@ struct Material {
   Colour base = Colour::Constant(0.7F);
   Colour second = Colour::Constant(0.3F);
   Pattern pattern = Pattern::kPlain;
-  float scale_m = 0.01F;    ///< size of the pattern's elements
-  float specular = 0.04F;   ///< share of light mirrored at normal incidence, 0 ... 1
-  float shininess = 40.0F;  ///< exponent of the highlight (Blinn and Phong)
-  float seed = 0.0F;        ///< shifts the pattern [elements]
+  float scale_m = 0.01F;      ///< size of the pattern's elements
+  float specular = 0.04F;     ///< share of light mirrored at normal incidence, 0 ... 1
+  float shininess = 40.0F;    ///< exponent of the highlight (Blinn and Phong)
+  float transmission = 0.0F;  ///< share of what is not mirrored that goes on straight through
+  float seed = 0.0F;          ///< shifts the pattern [elements]
 };
 
 /// Smooth noise in [0, 1]: random values at whole coordinates, cubic in between. Pure function.
@@ -50,6 +51,10 @@ struct Material {
 
 /// Bare metal, gray.
 [[nodiscard]] Material DrawMetal(Rng& rng);
+
+/// Thin clear glass or plastic of this tint: light goes on straight through, but for Fresnel's
+/// share and a little that is scattered.
+[[nodiscard]] Material Clear(const Colour& tint);
 
 /// Glazed pottery or painted plastic of a random colour.
 [[nodiscard]] Material DrawGlaze(Rng& rng);

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "datasets/formats/labelled_image_set.h"
 #include "datasets/synthetic/visibility.h"
@@ -35,8 +36,10 @@ class Painter {
         geometry_(scene),
         tracer_(geometry_.meshes()),
         pixels_(CastPixels(tracer_, geometry_, camera)) {
-    light_ = LightVisibility(tracer_, pixels_, scene.light);
-    sky_ = SkyVisibility(tracer_, pixels_);
+    // Clear things cast no shadow: they bend and scatter little of the light.
+    if (geometry_.HasClearMaterial()) opaque_.emplace(geometry_.OpaqueMeshes());
+    light_ = LightVisibility(Blockers(), pixels_, scene.light);
+    sky_ = SkyVisibility(Blockers(), pixels_);
   }
 
   [[nodiscard]] View Paint() const {
@@ -128,9 +131,75 @@ class Painter {
     return visible;
   }
 
+  [[nodiscard]] const RayTracer& Blockers() const { return opaque_ ? *opaque_ : tracer_; }
+
   [[nodiscard]] Colour Shade(const Hit& hit, const Vector3f& ray, const Visible& visible) const {
     if (hit.mesh == Hit::kNothing) return scene_.ambient;
     const SurfacePoint point = geometry_.PointAt(hit, ray);
+    const Colour own = Reflected(point, ray, visible);
+    if (point.material->transmission <= 0.0F) return own;
+    return own + Passing(point, ray).cwiseProduct(Behind(point, ray, visible.sky));
+  }
+
+  // What comes through a clear surface from behind it: the ray goes on straight to the first
+  // surface that is not clear, through at most eight more of them that are. Those within 0.2 mm of
+  // that surface lie on it and are not seen. Inner surfaces show the room, not the light.
+  [[nodiscard]] Colour Behind(SurfacePoint point, const Vector3f& ray, float sky) const {
+    constexpr int kMostSurfaces = 8;
+    constexpr float kContactM = 2e-4F;
+    const Hit end = FirstHit(Blockers(), point.p_in_base, ray);
+    const Vector3f origin = point.p_in_base;
+    Colour sum = Colour::Zero();
+    Colour share = Colour::Ones();
+    for (int i = 0; i < kMostSurfaces; ++i) {
+      const Hit hit = FirstHit(tracer_, point.p_in_base, ray);
+      if (hit.mesh == Hit::kNothing) break;
+      point = geometry_.PointAt(hit, ray);
+      const float distance_m = (point.p_in_base - origin).norm();
+      if (distance_m > end.distance * ray.norm() - kContactM) break;
+      sum += share.cwiseProduct(Reflected(point, ray, {0.0F, sky}));
+      share = share.cwiseProduct(Passing(point, ray));
+    }
+    if (end.mesh == Hit::kNothing) return sum + share.cwiseProduct(scene_.ambient);
+    const SurfacePoint last = geometry_.PointAt(end, ray);
+    return sum + share.cwiseProduct(Reflected(last, ray, {LightAt(last), sky}));
+  }
+
+  [[nodiscard]] static Hit FirstHit(const RayTracer& tracer,
+                                    const Vector3f& origin,
+                                    const Vector3f& ray) {
+    RayPacket packet;
+    packet.Add(origin, ray, 1e3F);
+    return tracer.Intersect(packet)[0];
+  }
+
+  // The share of each colour that passes a clear surface.
+  [[nodiscard]] static Colour Passing(const SurfacePoint& point, const Vector3f& ray) {
+    const Material& material = *point.material;
+    return material.transmission * (1.0F - Fresnel(point, ray.normalized())) * material.base;
+  }
+
+  // The share of the light that a point sees, by four rays.
+  [[nodiscard]] float LightAt(const SurfacePoint& point) const {
+    constexpr float kLeaveM = 1e-4F;
+    const AreaLight& light = scene_.light;
+    const Vector3f from = point.p_in_base + kLeaveM * point.normal;
+    RayPacket rays;
+    for (const float s : {-0.5F, 0.5F}) {
+      for (const float t : {-0.5F, 0.5F}) {
+        const Vector3f to = light.centre_m + s * light.half_u_m + t * light.half_v_m;
+        rays.Add(from, to - from, 1.0F);
+      }
+    }
+    float num_lit = 0.0F;
+    for (const bool blocked : Blockers().IsBlocked(rays)) num_lit += blocked ? 0.0F : 1.0F;
+    return 0.25F * num_lit;
+  }
+
+  // What a surface itself sends back along the ray.
+  [[nodiscard]] Colour Reflected(const SurfacePoint& point,
+                                 const Vector3f& ray,
+                                 const Visible& visible) const {
     const Vector3f to_light = scene_.light.centre_m - point.p_in_base;
     const float distance_m = to_light.norm();
     const Vector3f towards = to_light / distance_m;
@@ -138,11 +207,19 @@ class Painter {
     const Colour irradiance = visible.light / (distance_m * distance_m) * scene_.light.intensity;
     // More light comes from above than from the floor.
     const Colour around = visible.sky * (0.7F + 0.3F * point.normal.z()) * scene_.ambient;
-    return point.albedo.cwiseProduct(facing * irradiance + around) +
+    const float scattered = 1.0F - point.material->transmission;
+    return scattered * point.albedo.cwiseProduct(facing * irradiance + around) +
            Mirrored(point, ray.normalized(), towards, irradiance * facing, around);
   }
 
-  // The light's highlight, and the room in the surface (Fresnel's share after Schlick).
+  // The share that is mirrored at this angle (after Schlick).
+  [[nodiscard]] static float Fresnel(const SurfacePoint& point, const Vector3f& view) {
+    const float specular = point.material->specular;
+    const float grazing = 1.0F - std::min(-view.dot(point.normal), 1.0F);
+    return specular + (1.0F - specular) * 0.7F * grazing * grazing * grazing * grazing * grazing;
+  }
+
+  // The light's highlight, and the room in the surface.
   [[nodiscard]] static Colour Mirrored(const SurfacePoint& point,
                                        const Vector3f& view,
                                        const Vector3f& towards,
@@ -150,9 +227,7 @@ class Painter {
                                        const Colour& around) {
     const Material& material = *point.material;
     if (material.specular <= 0.0F) return Colour::Zero();
-    const float grazing = 1.0F - std::min(-view.dot(point.normal), 1.0F);
-    const float fresnel = material.specular + (1.0F - material.specular) * 0.7F * grazing *
-                                                  grazing * grazing * grazing * grazing;
+    const float fresnel = Fresnel(point, view);
     const Vector3f half = (towards - view).normalized();
     const float lobe = std::pow(std::max(point.normal.dot(half), 0.0F), material.shininess) *
                        (material.shininess + 8.0F) / 8.0F;
@@ -165,6 +240,7 @@ class Painter {
   const PinholeCamera& camera_;
   SceneGeometry geometry_;
   RayTracer tracer_;
+  std::optional<RayTracer> opaque_;  // where something is clear
   PixelHits pixels_;
   FloatImage light_;
   FloatImage sky_;

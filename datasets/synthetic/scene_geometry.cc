@@ -22,6 +22,27 @@ SceneGeometry::SceneGeometry(const Scene& scene) : scene_(&scene) {
   }
 }
 
+std::vector<Mesh> SceneGeometry::OpaqueMeshes() const {
+  std::vector<Mesh> opaque = meshes_;
+  for (std::size_t i = 0; i < opaque.size(); ++i) {
+    const std::vector<Material>& materials = scene_->objects[i].object.materials;
+    for (Face& face : opaque[i].faces) {
+      const bool is_clear = materials[face.surface.material].transmission > 0.0F;
+      if (is_clear) face.vertices.fill(face.vertices[0]);
+    }
+  }
+  return opaque;
+}
+
+bool SceneGeometry::HasClearMaterial() const {
+  for (const PlacedObject& placed : scene_->objects) {
+    for (const Material& material : placed.object.materials) {
+      if (material.transmission > 0.0F) return true;
+    }
+  }
+  return false;
+}
+
 SurfacePoint SceneGeometry::ShapeAt(const Hit& hit, const Eigen::Vector3f& direction) const {
   HC_CHECK(hit.mesh < meshes_.size(), hit.mesh, meshes_.size());
   const Mesh& mesh = meshes_[hit.mesh];

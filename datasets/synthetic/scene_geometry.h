@@ -26,6 +26,10 @@ class SceneGeometry {
   explicit SceneGeometry(const Scene& scene);
 
   [[nodiscard]] std::span<const Mesh> meshes() const noexcept { return meshes_; }
+  /// The meshes with every face that light goes through shrunk to a point, so that no ray meets it;
+  /// the others keep their numbers.
+  [[nodiscard]] std::vector<Mesh> OpaqueMeshes() const;
+  [[nodiscard]] bool HasClearMaterial() const;
 
   /// The surface that a ray from the viewer along `direction` has hit.
   [[nodiscard]] SurfacePoint PointAt(const Hit& hit, const Eigen::Vector3f& direction) const;

@@ -151,11 +151,9 @@ Object DrawMartiniGlass(Rng& rng) {
   profile.push_back({rim_m - wall_m, top_m + 0.3F * wall_m, {}});
   profile.push_back({stem_m + 0.001F, stem_top_m + 0.005F + wall_m, {}});
   profile.push_back({0.5F * stem_m, stem_top_m + 0.004F + wall_m, {}});
-  Material glass = DrawPlastic(rng);
-  glass.base =
-      FromHsv(Between(rng, 0.3F, 0.65F), Between(rng, 0.02F, 0.2F), Between(rng, 0.55F, 0.9F));
-  glass.second = 0.92F * glass.base;
-  glass.specular = Between(rng, 0.08F, 0.2F);
+  Material glass = Clear(
+      FromHsv(Between(rng, 0.3F, 0.65F), Between(rng, 0.0F, 0.05F), Between(rng, 0.96F, 0.995F)));
+  glass.specular = Between(rng, 0.04F, 0.08F);
   glass.shininess = Between(rng, 200.0F, 900.0F);
   return {.mesh = Revolve(profile, Ends::kCapped), .materials = {glass}};
 }

@@ -187,9 +187,9 @@ Object DrawWaterBottle(Rng& rng) {
                     {}});
   }
   body.push_back({neck_m, 0.95F * height_m, {}});
-  Material clear = Painted(Colour(0.62F, 0.70F, 0.74F), Between(rng, 0.09F, 0.13F));
-  clear.second = 0.8F * clear.base;
-  clear.shininess = Between(rng, 250.0F, 600.0F);
+  const float blue = Between(rng, 0.0F, 0.12F);
+  Material clear = Clear(Colour(0.95F - blue, 0.97F - 0.3F * blue, 0.97F));
+  clear.transmission = Between(rng, 0.6F, 0.8F);  // ribbed, hence a little milky
   Object bottle{.mesh = Revolve(body, Ends::kCapped),
                 .materials = {clear, DrawLabel(rng), DrawVividPlastic(rng)}};
   const Mesh cap = RidgedCap(neck_m + 0.0018F, 0.07F * height_m, 32, {2, false});
@@ -227,8 +227,12 @@ Object DrawRectangularBox(Rng& rng) {
   box.materials[0].scale_m = Between(rng, 0.006F, 0.011F);
   box.materials[1].base = box.materials[0].base;
   box.materials[1].second = box.materials[0].second;
+  box.materials.push_back(Painted(box.materials[0].second, 0.025F));
   Resurface(box.mesh, {1, false}, [](const Vector3f&, const Vector3f& normal) {
     return std::abs(normal.x()) < 0.7F;
+  });
+  Resurface(box.mesh, {2, false}, [](const Vector3f&, const Vector3f& normal) {
+    return std::abs(normal.z()) > 0.7F;
   });
   MarkHeights(box.mesh, 0.45F * size_m.z(), 0.95F * size_m.z());
   return box;

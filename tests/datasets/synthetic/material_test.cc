@@ -110,5 +110,11 @@ TEST(DrawMetal, IsGrayAndMirrors) {
       Painted(Colour(0.5F, 0.4F, 0.3F), 0.1F).second.isApprox(Colour(0.46F, 0.368F, 0.276F)));
 }
 
+TEST(Clear, LetsMostLightThroughAndOthersNone) {
+  EXPECT_GT(Clear(Colour::Ones()).transmission, 0.9F);
+  EXPECT_EQ(Material{}.transmission, 0.0F);
+  EXPECT_EQ(Painted(Colour::Ones(), 0.04F).transmission, 0.0F);
+}
+
 }  // namespace
 }  // namespace handcraft::synthetic

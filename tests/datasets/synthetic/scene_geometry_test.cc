@@ -58,5 +58,24 @@ TEST(SceneGeometry, RefusesAHitOfNothing) {
                std::logic_error);
 }
 
+TEST(SceneGeometry, ShrinksClearFacesToPointsForWhatCastsShadows) {
+  Scene scene = testing::SmallScene();
+  EXPECT_FALSE(SceneGeometry(scene).HasClearMaterial());
+  std::vector<Material>& materials = scene.objects[1].object.materials;
+  materials.push_back(Clear(Colour::Ones()));
+  for (Face& face : scene.objects[1].object.mesh.faces) {
+    if (face.surface.graspable) face.surface.material = 1;
+  }
+  const SceneGeometry geometry(scene);
+  EXPECT_TRUE(geometry.HasClearMaterial());
+  const std::vector<Mesh> opaque = geometry.OpaqueMeshes();
+  ASSERT_EQ(opaque.size(), 2U);
+  EXPECT_EQ(SurfaceAreas(opaque[0]).all, SurfaceAreas(geometry.meshes()[0]).all);
+  EXPECT_EQ(SurfaceAreas(opaque[1]).graspable, 0.0) << "the clear half";
+  const Areas whole = SurfaceAreas(geometry.meshes()[1]);
+  EXPECT_NEAR(SurfaceAreas(opaque[1]).all, whole.all - whole.graspable, 1e-6);
+  EXPECT_EQ(opaque[1].faces.size(), geometry.meshes()[1].faces.size()) << "numbers are kept";
+}
+
 }  // namespace
 }  // namespace handcraft::synthetic
