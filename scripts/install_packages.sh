@@ -25,6 +25,7 @@ build | libcli11-dev       | command line
 build | nlohmann-json3-dev | JSON
 build | libtinyxml2-dev    | XML
 build | libtomlplusplus-dev | TOML
+build | zlib1g-dev         | compressed MATLAB files
 build | libfmt-dev         | text formatting
 build | libembree-dev      | ray casting for made-up pictures
 build | libhwy-dev         | vector instructions for AVX2, AVX-512 and NEON

@@ -14,6 +14,7 @@
 #include "datasets/importers/folders.h"
 #include "datasets/importers/jacquard.h"
 #include "datasets/importers/labelme.h"
+#include "datasets/importers/umd.h"
 #include "tools/number_option.h"
 
 namespace handcraft::tools {
@@ -65,11 +66,13 @@ SourceLister AddCornellOptions(CLI::App& command) {
 }
 
 void AddLabelRoles(CLI::App& command, datasets::LabelRoles& roles) {
-  const auto add = [&command](
-                       const char* name, std::vector<std::string>& labels, const char* what) {
-    AddRepeated(command, name, labels, what)->type_name("LABEL");
-  };
-  add("--good", roles.good, "Label that means good; without it 'good'");
+  std::string good;
+  for (const std::string& label : roles.good) good += (good.empty() ? "'" : ", '") + label + "'";
+  const auto add =
+      [&command](const char* name, std::vector<std::string>& labels, const std::string& what) {
+        AddRepeated(command, name, labels, what)->type_name("LABEL");
+      };
+  add("--good", roles.good, "Label that means good; without it " + good);
   add("--bad", roles.bad, "Label that means bad, even on something good");
   add("--dont-care", roles.dont_care, "Label that means don't care");
 }
@@ -104,6 +107,12 @@ SourceLister AddCvatOptions(CLI::App& command) {
   };
 }
 
+SourceLister AddUmdOptions(CLI::App& command) {
+  auto roles = std::make_shared<datasets::LabelRoles>(datasets::UmdRoles());
+  AddLabelRoles(command, *roles);
+  return [roles](const std::filesystem::path& source) { return datasets::ListUmd(source, *roles); };
+}
+
 SourceLister AddJacquardOptions(CLI::App& command) {
   auto options = std::make_shared<datasets::GraspMaskOptions>();
   AddGraspMaskOptions(command, *options);
@@ -121,15 +130,27 @@ void AddMaskValue(CLI::App& command,
       ->type_name("INT");
 }
 
+void AddText(CLI::App& command, const char* name, std::string& text, const char* description) {
+  command.add_option(name, text, description)->capture_default_str();
+}
+
+// `folders` with pictures and labels in one place.
+SourceLister AddSaxenaOptions(CLI::App& command) {
+  auto options = std::make_shared<datasets::FoldersOptions>(
+      datasets::FoldersOptions{.images = ".", .masks = ".", .mask_suffix = "_label"});
+  AddText(command, "--image-suffix", options->image_suffix, "What ends a picture's name");
+  AddText(command, "--label-suffix", options->mask_suffix, "What ends a label picture's name");
+  return [options](const std::filesystem::path& source) {
+    return datasets::ListFolders(source, *options);
+  };
+}
+
 SourceLister AddFoldersOptions(CLI::App& command) {
   auto options = std::make_shared<datasets::FoldersOptions>();
-  const auto add_text = [&command](const char* name, std::string& text, const char* description) {
-    command.add_option(name, text, description)->capture_default_str();
-  };
-  add_text("--images", options->images, "Folder of the pictures, below SRC");
-  add_text("--masks", options->masks, "Folder of the masks, below SRC");
-  add_text("--image-suffix", options->image_suffix, "What ends a picture's name: _rgb");
-  add_text("--mask-suffix", options->mask_suffix, "What ends a mask's name: _label");
+  AddText(command, "--images", options->images, "Folder of the pictures, below SRC");
+  AddText(command, "--masks", options->masks, "Folder of the masks, below SRC");
+  AddText(command, "--image-suffix", options->image_suffix, "What ends a picture's name: _rgb");
+  AddText(command, "--mask-suffix", options->mask_suffix, "What ends a mask's name: _label");
   AddMaskValue(command,
                "--good",
                options->good,
@@ -162,6 +183,16 @@ constexpr auto kFormats = std::to_array<ImportFormat>(
       "The unpacked folder, with annotations.xml or labelmap.txt",
       "cvat tests/data/cvat --images tests/data/cornell --good handle --out out/cvat",
       AddCvatOptions},
+     {"saxena",
+      "Pairs of a picture and a binary label picture in one folder, as Saxena et al. made them",
+      "Folder with NAME.png beside NAME_label.png, at any depth",
+      "saxena tests/data/saxena --out out/saxena",
+      AddSaxenaOptions},
+     {"umd",
+      "UMD part affordances: tools and what their parts are for",
+      "Folder with NAME_rgb.jpg beside NAME_label.mat, at any depth",
+      "umd tests/data/umd --out out/umd",
+      AddUmdOptions},
      {"jacquard",
       "Jacquard data set: rendered objects and simulated grasps",
       "Folder with N_OBJECT_RGB.png beside N_OBJECT_grasps.txt, at any depth",

@@ -54,5 +54,37 @@ TEST(ImportFormats, TakeTheOptionsOfFolders) {
   EXPECT_EQ(RunLine(line + "/c --instance-pattern (").code, 2);
 }
 
+TEST(ImportFormats, TakeTheOptionsOfLabelledParts) {
+  const TemporaryDirectory folder;
+  const std::string line =
+      "data import umd " HANDCRAFT_SOURCE_DIR "/tests/data/umd --out " + folder.path().string();
+  EXPECT_THAT(RunLine("data import umd --help").out, HasSubstr("without it 'grasp', 'wrap-grasp'"));
+  EXPECT_THAT(RunLine("data import coco --help").out, HasSubstr("without it 'good'"));
+  ASSERT_EQ(RunLine(line + "/both").code, 0);
+  ASSERT_EQ(RunLine(line + "/handle --good grasp").code, 0);
+  const auto good = [&](const char* name) {
+    const datasets::LabelledImageSet set = datasets::ReadLabelledImageSet(folder / name);
+    EXPECT_EQ(set.items.at(0).object_class, "mug");
+    const Image mask = datasets::ReadMask(set, 0);
+    return std::count(mask.values().begin(), mask.values().end(), datasets::kMaskGood);
+  };
+  EXPECT_EQ(good("both"), 60 * 12 + 30 * 6);
+  EXPECT_EQ(good("handle"), 30 * 6);
+}
+
+TEST(ImportFormats, PairLabelsBesidePictures) {
+  const TemporaryDirectory folder;
+  const std::string line = "data import saxena " HANDCRAFT_SOURCE_DIR "/tests/data/saxena --out " +
+                           folder.path().string();
+  ASSERT_EQ(RunLine(line + "/set").code, 0);
+  const datasets::LabelledImageSet set = datasets::ReadLabelledImageSet(folder / "set");
+  ASSERT_EQ(set.items.size(), 1U);
+  EXPECT_EQ(set.items[0].object_class, "mug");
+  const Image mask = datasets::ReadMask(set, 0);
+  EXPECT_EQ(mask.At(19, 10), datasets::kMaskGood) << "handle";
+  EXPECT_EQ(mask.At(10, 10), datasets::kMaskBad) << "wall";
+  EXPECT_THAT(RunLine(line + "/no --label-suffix _grasp").err, HasSubstr("has no mask"));
+}
+
 }  // namespace
 }  // namespace handcraft::tools

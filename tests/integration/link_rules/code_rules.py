@@ -30,6 +30,7 @@ THIRD_PARTY_HEADERS = {
     r"opencv2/imgproc[/.]": "opencv_imgproc",
     r"opencv2/imgcodecs[/.]": "opencv_imgcodecs",
     r"nlohmann/": "nlohmann_json::nlohmann_json",
+    r"zlib\.h$": "ZLIB::ZLIB",
     r"tinyxml2\.h$": "tinyxml2::tinyxml2",
     r"toml\+\+/": "tomlplusplus::tomlplusplus",
     r"fmt/": "fmt::fmt",
