@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Files of others from anywhere: what the importers read ends in a result or in handcraft::Error,
+// and in nothing else. The first byte chooses the reader, the rest is the file.
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "datasets/formats/labelled_image_set.h"
+#include "datasets/formats/mat_array.h"
+#include "datasets/formats/npy.h"
+#include "datasets/formats/organised_cloud.h"
+#include "datasets/formats/table.h"
+#include "datasets/formats/view_set.h"
+#include "datasets/importers/base64.h"
+#include "datasets/importers/coco.h"
+#include "datasets/importers/coco_runs.h"
+#include "datasets/importers/cornell_rectangles.h"
+#include "datasets/importers/cvat.h"
+#include "datasets/importers/cvat_shapes.h"
+#include "datasets/importers/jacquard.h"
+#include "datasets/importers/labelme.h"
+#include "lib/core/error.h"
+
+namespace handcraft::datasets {
+namespace {
+
+namespace fs = std::filesystem;
+
+void Require(bool condition) {
+  if (!condition) __builtin_trap();
+}
+
+// A file in memory, and a folder in which it has the names that readers look for.
+class FuzzedFile {
+ public:
+  FuzzedFile() : descriptor_(memfd_create("fuzzed", 0)) {
+    Require(descriptor_ >= 0);
+    std::string name = (fs::temp_directory_path() / "importer_fuzz_XXXXXX").string();
+    Require(mkdtemp(name.data()) != nullptr);
+    folder_ = name;
+    for (const char* file : {"a.json", "labelmap.txt", "manifest.csv", "views.csv"}) {
+      fs::create_directory(FolderOf(file));
+      fs::create_symlink(path(), FolderOf(file) / file);
+    }
+    for (const char* file : {"a.json", "labelmap.txt"}) {  // the pictures that a file may name
+      Require(std::ofstream(FolderOf(file) / "a.png").good());
+    }
+  }
+  ~FuzzedFile() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+    close(descriptor_);
+  }
+  FuzzedFile(const FuzzedFile&) = delete;
+  FuzzedFile& operator=(const FuzzedFile&) = delete;
+
+  void Fill(std::string_view bytes) const {
+    Require(ftruncate(descriptor_, 0) == 0);
+    Require(pwrite(descriptor_, bytes.data(), bytes.size(), 0) ==
+            static_cast<ssize_t>(bytes.size()));
+  }
+  [[nodiscard]] fs::path path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+  // The folder in which the file has this name.
+  [[nodiscard]] fs::path FolderOf(const std::string& name) const {
+    return folder_ / (name + ".folder");
+  }
+
+ private:
+  int descriptor_;
+  fs::path folder_;
+};
+
+// Pictures that are 6 × 4 are drawn.
+void MakeMasks(const SourceSet& source) {
+  for (const SourcePicture& picture : source.pictures) {
+    const Image mask = picture.make_mask(6, 4);
+    Require(mask.width() == 6 && mask.height() == 4);
+    for (const std::uint8_t value : mask.values()) {
+      Require(value == kMaskGood || value == kMaskBad || value == kMaskDontCare);
+    }
+  }
+}
+
+void MakeMaskOf(const std::vector<GraspRectangle>& rectangles) {
+  if (rectangles.size() > 8) return;  // enough; each costs time
+  Require(MakeGraspMask(20, 15, rectangles, {}, {}).width() == 20);
+}
+
+void ReadCoco(const FuzzedFile& file) {
+  MakeMasks(ListCoco(file.path(), {.images = file.FolderOf("a.json")}));
+}
+
+void ReadLabelme(const FuzzedFile& file) { MakeMasks(ListLabelme(file.FolderOf("a.json"), {})); }
+
+void ReadCvatShapes(const FuzzedFile& file) {
+  MakeMasks(ListCvatShapes(file.path(), {.images = file.FolderOf("a.json")}));
+}
+
+void ReadCvatMasks(const FuzzedFile& file) {
+  static_cast<void>(ListCvat(file.FolderOf("labelmap.txt"), {}));
+}
+
+void ReadMat(const FuzzedFile& file) {
+  const MatArray array = ReadMatArray(file.path(), "gt_label");
+  std::size_t count = 1;
+  for (const std::size_t size : array.dimensions) count *= size;
+  Require(array.dimensions.size() >= 2 && array.values.size() == count);
+}
+
+void ReadCloud(const FuzzedFile& file) {
+  const OrganisedCloud cloud = ReadPcd(file.path());
+  Require(cloud.points.size() ==
+          static_cast<std::size_t>(cloud.width) * static_cast<std::size_t>(cloud.height));
+}
+
+void ReadRectangles(const FuzzedFile& file) { MakeMaskOf(ReadCornellRectangles(file.path())); }
+
+void ReadGrasps(const FuzzedFile& file) { MakeMaskOf(ReadJacquardGrasps(file.path())); }
+
+void ReadMatrix(const FuzzedFile& file) {
+  const NpyMatrix matrix = ReadNpy(file.path());
+  Require(matrix.values.size() == matrix.rows * matrix.columns);
+}
+
+void ReadCsvTable(const FuzzedFile& file) {
+  const Table table = ReadTable(file.path(), "label");
+  Require(table.values.size() == table.num_rows * table.columns.size());
+}
+
+void ReadManifest(const FuzzedFile& file) {
+  static_cast<void>(ReadLabelledImageSet(file.FolderOf("manifest.csv")));
+}
+
+void ReadViews(const FuzzedFile& file) {
+  static_cast<void>(ReadViewSet(file.FolderOf("views.csv")));
+}
+
+constexpr auto kReaders = std::to_array<void (*)(const FuzzedFile&)>({ReadCoco,
+                                                                      ReadLabelme,
+                                                                      ReadCvatShapes,
+                                                                      ReadCvatMasks,
+                                                                      ReadMat,
+                                                                      ReadCloud,
+                                                                      ReadRectangles,
+                                                                      ReadGrasps,
+                                                                      ReadMatrix,
+                                                                      ReadCsvTable,
+                                                                      ReadManifest,
+                                                                      ReadViews});
+
+// Texts within files.
+void Decode(std::string_view text) {
+  const auto bytes = DecodeBase64(text);
+  Require(!bytes || bytes->size() <= text.size());
+  const auto runs = DecodeCocoRuns(text);
+  Require(!runs || runs->size() <= text.size());
+}
+
+void ReadOne(std::size_t reader, std::string_view bytes) {
+  static const FuzzedFile kFile;
+  if (reader == kReaders.size()) {
+    Decode(bytes);
+    return;
+  }
+  kFile.Fill(bytes);
+  try {
+    kReaders[reader](kFile);
+  } catch (const Error& error) {
+    Require(error.what()[0] != '\0');
+  }
+}
+
+}  // namespace
+}  // namespace handcraft::datasets
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using handcraft::datasets::kReaders;
+  if (size == 0) return 0;
+  const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
+  handcraft::datasets::ReadOne(data[0] % (kReaders.size() + 1), bytes);
+  return 0;
+}
