@@ -8,13 +8,17 @@
 #include <string>
 #include <vector>
 
+#include "datasets/importers/bop.h"
 #include "datasets/importers/coco.h"
+#include "datasets/importers/coil.h"
 #include "datasets/importers/cornell.h"
 #include "datasets/importers/cvat.h"
+#include "datasets/importers/eth80.h"
 #include "datasets/importers/folders.h"
 #include "datasets/importers/jacquard.h"
 #include "datasets/importers/labelme.h"
 #include "datasets/importers/umd.h"
+#include "datasets/importers/washington.h"
 #include "tools/number_option.h"
 
 namespace handcraft::tools {
@@ -161,6 +165,51 @@ SourceLister AddFoldersOptions(CLI::App& command) {
   };
 }
 
+SourceLister AddEth80Options(CLI::App& command) {
+  auto options = std::make_shared<datasets::Eth80Options>();
+  AddNumber(command,
+            "--polar",
+            *options,
+            &datasets::Eth80Options::polar_deg,
+            "Views from this angle to the vertical [deg]; 90 is level");
+  return [options](const std::filesystem::path& source) {
+    return datasets::ListEth80(source, *options);
+  };
+}
+
+SourceLister AddCoilOptions(CLI::App& command) {
+  auto options = std::make_shared<datasets::CoilOptions>();
+  AddNumber(command,
+            "--threshold",
+            *options,
+            &datasets::CoilOptions::threshold,
+            "Values up to this are dark; what is dark up to the edge is background");
+  return [options](const std::filesystem::path& source) {
+    return datasets::ListCoil(source, *options);
+  };
+}
+
+SourceLister AddWashingtonOptions(CLI::App& /*command*/) {
+  return [](const std::filesystem::path& source) { return datasets::ListWashington(source); };
+}
+
+SourceLister AddBopOptions(CLI::App& command) {
+  auto options = std::make_shared<datasets::BopOptions>();
+  AddNumber(command,
+            "--min-visible",
+            *options,
+            &datasets::BopOptions::min_visible,
+            "Leave out objects of which a smaller share is seen");
+  AddNumber(command,
+            "--margin",
+            *options,
+            &datasets::BopOptions::margin_px,
+            "Margin of the cut-out around an object [px]");
+  return [options](const std::filesystem::path& source) {
+    return datasets::ListBop(source, *options);
+  };
+}
+
 constexpr auto kFormats = std::to_array<ImportFormat>(
     {{"folders",
       "Folders of pictures and of masks with the same names",
@@ -202,7 +251,31 @@ constexpr auto kFormats = std::to_array<ImportFormat>(
       "Cornell grasping data set: photographs and grasp rectangles into label masks",
       "Folder with pcdNNNNr.png beside pcdNNNNcpos.txt, in one folder or in 01, 02, …",
       "cornell tests/data/cornell --out out/cornell",
-      AddCornellOptions}});
+      AddCornellOptions},
+     {"eth80",
+      "ETH-80, as views: objects on a turntable with silhouettes",
+      "Folder with OBJECT-PPP-AAA.png beside maps/OBJECT-PPP-AAA-map.png, at any depth",
+      "eth80 tests/data/views/eth80 --out out/eth80",
+      AddEth80Options,
+      SetKind::kViews},
+     {"coil",
+      "COIL-20 and COIL-100, as views: objects on a turntable before black",
+      "Folder with objN__K.png, at any depth",
+      "coil tests/data/views/coil --out out/coil",
+      AddCoilOptions,
+      SetKind::kViews},
+     {"washington",
+      "Washington RGB-D objects, as views with clouds",
+      "Folder with CLASS_N_VIDEO_FRAME_crop.png, _maskcrop.png, _depthcrop.png, _loc.txt",
+      "washington tests/data/views/washington --out out/washington",
+      AddWashingtonOptions,
+      SetKind::kViews},
+     {"bop",
+      "BOP scenes (LINEMOD and others), as views with clouds",
+      "Folder with scene_gt.json, scene_camera.json, rgb, mask_visib and depth, at any depth",
+      "bop tests/data/views/bop --out out/bop",
+      AddBopOptions,
+      SetKind::kViews}});
 
 }  // namespace
 

@@ -16,6 +16,9 @@ namespace handcraft::tools {
 /// Lists what a source holds, with the options as they were given.
 using SourceLister = std::function<datasets::SourceSet(const std::filesystem::path& source)>;
 
+/// What is made of a source.
+enum class SetKind { kLabelledImages, kViews };
+
 /// A format that `handcraft data import` reads: the options of its own; all others it shares.
 struct ImportFormat {
   const char* name;         ///< of the subcommand
@@ -23,6 +26,7 @@ struct ImportFormat {
   const char* source;       ///< what SRC is
   const char* example;      ///< what follows `handcraft data import` in its --help
   SourceLister (*add_options)(CLI::App& command);
+  SetKind makes = SetKind::kLabelledImages;
 };
 
 /// All of them, in the order of --help.

@@ -102,6 +102,15 @@ bool JsonValue::Has(const std::string& key) const {
   return found != value_->end() && !found->is_null();
 }
 
+std::vector<std::pair<std::string, JsonValue>> JsonValue::Members() const {
+  if (!value_->is_object()) FailType("an object");
+  std::vector<std::pair<std::string, JsonValue>> members;
+  for (auto it = value_->begin(); it != value_->end(); ++it) {
+    members.emplace_back(it.key(), JsonValue(file_, &*it));
+  }
+  return members;
+}
+
 std::vector<JsonValue> JsonValue::Items() const {
   if (!value_->is_array()) FailType("a list");
   std::vector<JsonValue> items;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
@@ -28,6 +29,8 @@ class JsonValue {
   [[nodiscard]] JsonValue operator[](const std::string& key) const;
   /// Whether the object has the member, and it is not null.
   [[nodiscard]] bool Has(const std::string& key) const;
+  /// The members of an object, in the byte order of their keys.
+  [[nodiscard]] std::vector<std::pair<std::string, JsonValue>> Members() const;
   /// The members of a list, in order.
   [[nodiscard]] std::vector<JsonValue> Items() const;
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "datasets/formats/csv_records.h"
+#include "datasets/importers/cornell_cloud.h"
 #include "datasets/importers/cornell_rectangles.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 // The files of one number.
 struct CornellPicture {
   int number = 0;
-  fs::path image, positive, negative;
+  fs::path image, positive, negative, cloud;
   std::vector<GraspRectangle> positive_rectangles;
 };
 
@@ -70,6 +71,7 @@ std::vector<CornellPicture> FindPictures(const fs::path& source) {
     CornellPicture& picture = by_number[parsed->first];
     picture.number = parsed->first;
     if (parsed->second == "r.png") Place(picture.image, file), ++num_images;
+    if (parsed->second == ".txt") Place(picture.cloud, file);
     if (parsed->second == "cneg.txt") Place(picture.negative, file);
     if (parsed->second == "cpos.txt" || parsed->second == "cpos_recovered.txt") {
       Place(picture.positive, file), ++num_labels;
@@ -121,22 +123,31 @@ SourcePicture Describe(const CornellPicture& picture,
                        const CornellOptions& options) {
   const std::string name = "pcd" + FourDigits(picture.number);
   const auto object_class = classes.find(name + "r.png");
-  const fs::path negative = options.use_negative_rectangles ? picture.negative : "";
-  return {.path = picture.image,
-          .image = name + "r.png",
-          .mask = name + ".png",
-          .object_class = object_class == classes.end() ? "object" : object_class->second,
-          .instance = InstanceOf(picture.number, options.instance_span),
-          .number = picture.number,
-          .make_mask = [positive = picture.positive_rectangles, negative, mask = options.mask](
-                           int width, int height) {
-            return MakeGraspMask(
-                width,
-                height,
-                positive,
-                negative.empty() ? std::vector<GraspRectangle>() : ReadCornellRectangles(negative),
-                mask);
-          }};
+  const auto read = [positive = picture.positive_rectangles, negative = picture.negative] {
+    return MarkedRectangles{.positive = positive,
+                            .negative = negative.empty() ? std::vector<GraspRectangle>()
+                                                         : ReadCornellRectangles(negative)};
+  };
+  SourcePicture found{
+      .path = picture.image,
+      .image = name + "r.png",
+      .mask = name + ".png",
+      .object_class = object_class == classes.end() ? "object" : object_class->second,
+      .instance = InstanceOf(picture.number, options.instance_span),
+      .number = picture.number,
+      .make_mask =
+          [read, options](int width, int height) {
+            MarkedRectangles marked = read();
+            if (!options.use_negative_rectangles) marked.negative.clear();
+            return MakeGraspMask(width, height, marked.positive, marked.negative, options.mask);
+          },
+      .read_rectangles = read};
+  if (!picture.cloud.empty()) {
+    found.make_cloud = [cloud = picture.cloud](int width, int height) {
+      return ReadCornellCloud(cloud, width, height);
+    };
+  }
+  return found;
 }
 
 }  // namespace

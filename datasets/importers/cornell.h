@@ -24,8 +24,9 @@ struct CornellOptions {
 
 /// Lists a Cornell tree: pcdNNNNr.png beside pcdNNNNcpos.txt / pcdNNNNcneg.txt, in one folder, in
 /// numbered folders 01…10, or as images/ + labels/*cpos_recovered.txt. The class is the grasp type
-/// where the tree has a grasp_type.csv, else "object". Pictures without a usable positive rectangle
-/// are left out. Throws Error that says what was expected and found.
+/// where the tree has a grasp_type.csv, else "object". Clouds pcdNNNN.txt are kept (see
+/// cornell_cloud.h), and so are the rectangles. Pictures without a usable positive rectangle are
+/// left out. Throws Error that says what was expected and found.
 [[nodiscard]] SourceSet ListCornell(const std::filesystem::path& source,
                                     const CornellOptions& options);
 

@@ -14,6 +14,12 @@ namespace handcraft::datasets {
 /// gripper opens.
 using GraspRectangle = std::array<std::array<double, 2>, 4>;
 
+/// What people or a simulation marked in one picture.
+struct MarkedRectangles {
+  std::vector<GraspRectangle> positive;
+  std::vector<GraspRectangle> negative;  ///< where not to grasp
+};
+
 /// Its area [px²]; NaN when a corner is.
 [[nodiscard]] double RectangleArea(const GraspRectangle& rectangle);
 

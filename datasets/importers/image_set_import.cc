@@ -3,21 +3,13 @@
 
 #include "datasets/importers/image_set_import.h"
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <map>
-#include <regex>
-#include <set>
 #include <utility>
 
+#include "datasets/importers/import_plan.h"
+#include "datasets/importers/rectangle_list.h"
 #include "datasets/importers/source_tree.h"
 #include "datasets/importers/staging_folder.h"
 #include "datasets/parallel_reporting.h"
-#include "lib/core/check.h"
-#include "lib/core/error.h"
-#include "lib/core/file.h"
-#include "lib/core/option_rules.h"
 #include "lib/perception/image_io.h"
 
 namespace handcraft::datasets {
@@ -25,159 +17,59 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void RefuseTwins(const std::vector<SourcePicture>& pictures, std::string SourcePicture::*name) {
-  std::map<std::string, const SourcePicture*> known;
-  for (const SourcePicture& picture : pictures) {
-    const auto [twin, is_new] = known.try_emplace(picture.*name, &picture);
-    if (is_new) continue;
-    throw Error({.path = picture.path.string(),
-                 .reason = "stands for the same picture as " + twin->second->path.string(),
-                 .remedy = "keep one of them"});
-  }
-}
-
-std::regex ParsePattern(const std::string& pattern) {
-  try {
-    return std::regex(pattern);
-  } catch (const std::regex_error& error) {
-    throw Error({.kind = Error::Kind::kUsage,
-                 .reason = "ImportOptions.instance_pattern is '" + pattern +
-                           "'; it must be a regular expression: " + error.what()});
-  }
-}
-
-void NameInstances(std::vector<SourcePicture>& pictures, const std::string& pattern) {
-  if (pattern.empty()) return;
-  const std::regex expression = ParsePattern(pattern);
-  for (SourcePicture& picture : pictures) {
-    std::smatch match;
-    const bool found = std::regex_search(picture.image, match, expression);
-    const std::string instance = found ? match[match.size() > 1 ? 1 : 0].str() : "";
-    if (instance.empty()) {
-      throw Error({.path = picture.path.string(),
-                   .reason = "the instance pattern '" + pattern + "' finds nothing in '" +
-                             picture.image + "'",
-                   .remedy = "give one that names the object of every picture"});
-    }
-    picture.instance = instance;
-  }
-}
-
-// Keeps `count` of them, first and last among them.
-void Thin(std::vector<SourcePicture>& pictures, std::size_t count) {
-  if (count == 0 || count >= pictures.size()) return;
-  std::vector<SourcePicture> kept;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t steps = std::max<std::size_t>(count - 1, 1);
-    kept.push_back(std::move(pictures[(i * (pictures.size() - 1) + steps / 2) / steps]));
-  }
-  pictures = std::move(kept);
-}
-
-void AssignSplits(std::vector<SourcePicture>& pictures, double test_share) {
-  std::set<std::string> instances;
-  for (const SourcePicture& picture : pictures) instances.insert(picture.instance);
-  const auto num_instances = static_cast<std::ptrdiff_t>(instances.size());
-  std::ptrdiff_t num_test = std::lround(test_share * static_cast<double>(num_instances));
-  num_test = std::clamp<std::ptrdiff_t>(
-      num_test, test_share > 0.0 ? 1 : 0, std::max<std::ptrdiff_t>(num_instances - 1, 0));
-  const std::set<std::string> test(std::prev(instances.end(), num_test), instances.end());
-  for (SourcePicture& picture : pictures) {
-    picture.split = test.contains(picture.instance) ? "test" : "train";
-  }
-}
-
-void LeaveOutNeighboursOfTheTest(SourceSet& source) {
-  std::optional<int> first;
-  for (const SourcePicture& picture : source.pictures) {
-    if (picture.split != "test" || !picture.number) continue;
-    first = std::min(first.value_or(*picture.number), *picture.number);
-  }
-  if (!first) return;
-  std::erase_if(source.pictures, [&](const SourcePicture& picture) {
-    return picture.split == "train" && picture.number &&
-           *first - *picture.number < source.split_gap;
-  });
-}
-
 LabelledImage Describe(const SourcePicture& picture, const std::string& licence) {
-  return {.image = "images/" + picture.image,
-          .mask = "masks/" + picture.mask,
-          .object_class = picture.object_class,
-          .instance = picture.instance,
-          .split = picture.split,
-          .licence = licence};
-}
-
-// An embedded picture is read from where it was written to, and its faults told of its source.
-Image ReadPicture(const SourcePicture& picture, const fs::path& copy) {
-  if (!picture.embedded) return perception::ReadImage(picture.path);
-  WriteFileAtomically(copy, picture.embedded());
-  try {
-    return perception::ReadImage(copy);
-  } catch (const Error& error) {
-    Error::Details details = error.details();
-    details.path = picture.path.string();
-    details.reason = "the embedded picture: " + details.reason;
-    throw Error(details);
-  }
+  LabelledImage item{.image = "images/" + picture.image,
+                     .mask = "masks/" + picture.mask,
+                     .object_class = picture.object_class,
+                     .instance = picture.instance,
+                     .split = picture.split,
+                     .licence = licence};
+  if (picture.make_cloud) item.others[std::string(kCloud)] = CloudPath(picture);
+  return item;
 }
 
 void WritePicture(const SourcePicture& picture, const LabelledImage& item, const fs::path& root) {
-  const Image image = ReadPicture(picture, root / item.image);
+  const Image image = CopyPicture(picture, root / item.image);
+  const PixelSize size = {image.width(), image.height()};
   const Image mask = picture.make_mask(image.width(), image.height());
-  RequireSameSize(
-      picture.path, "the mask", {mask.width(), mask.height()}, {image.width(), image.height()});
-  if (!picture.embedded) WriteFileAtomically(root / item.image, ReadFile(picture.path));
+  RequireSameSize(picture.path, "the mask", {mask.width(), mask.height()}, size);
   perception::WritePng(root / item.mask, mask);
+  if (picture.make_cloud) WriteCloud(picture, size, root / item.Companion(kCloud));
 }
 
-void AddFolders(const StagingFolder& staging, const LabelledImageSet& set) {
-  std::set<fs::path> folders;
-  for (const LabelledImage& item : set.items) {
-    for (const std::string& file : {item.image, item.mask}) {
-      for (fs::path at = fs::path(file).parent_path(); !at.empty(); at = at.parent_path()) {
-        folders.insert(at);
-      }
-    }
+// rectangles.csv, if any picture has some.
+void WriteRectanglesOf(const std::vector<SourcePicture>& pictures, const LabelledImageSet& set) {
+  std::vector<RectanglesOfImage> list;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    if (!pictures[i].read_rectangles) continue;
+    list.push_back({.image = set.items[i].image, .rectangles = pictures[i].read_rectangles()});
   }
-  for (const fs::path& folder : folders) staging.AddFolder(folder);  // parents come first
+  if (!list.empty()) WriteRectangles(set.root, list);
 }
 
 }  // namespace
 
-void ImportOptions::Validate() const {
-  RequireOption(
-      test_share >= 0.0 && test_share < 1.0, "ImportOptions.test_share", test_share, "in [0, 1)");
-  RequireOption(max_images >= 0, "ImportOptions.max_images", max_images, "0 or more");
-  RequireOption(num_threads >= 1, "ImportOptions.num_threads", num_threads, "1 or more");
-  ParsePattern(instance_pattern);
-}
-
 LabelledImageSet ImportPictures(SourceSet source,
                                 const fs::path& out,
                                 const ImportOptions& options) {
-  options.Validate();
-  std::vector<SourcePicture>& pictures = source.pictures;
-  HC_CHECK(!pictures.empty());
-  RefuseTwins(pictures, &SourcePicture::image);
-  RefuseTwins(pictures, &SourcePicture::mask);
-  NameInstances(pictures, options.instance_pattern);
-  Thin(pictures, static_cast<std::size_t>(options.max_images));
-  AssignSplits(pictures, options.test_share);
-  LeaveOutNeighboursOfTheTest(source);
-
+  PlanImport(source, options);
+  const std::vector<SourcePicture>& pictures = source.pictures;
   StagingFolder staging(out);
   LabelledImageSet set{.root = staging.path(), .items = {}};
+  std::vector<std::string> files;
   for (const SourcePicture& picture : pictures) {
     set.items.push_back(Describe(picture, options.licence));
+    const LabelledImage& item = set.items.back();
+    files.insert(files.end(), {item.image, item.mask});
+    if (picture.make_cloud) files.push_back(item.Companion(kCloud));
   }
-  AddFolders(staging, set);
+  AddFoldersOf(staging, files);
   ParallelForReporting(pictures.size(),
                        options.num_threads,
                        options.progress,
                        "importing pictures",
                        [&](std::size_t i) { WritePicture(pictures[i], set.items[i], set.root); });
+  WriteRectanglesOf(pictures, set);
   WriteManifest(set);
   staging.MoveToTarget();
   set.root = out;

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "datasets/formats/labelled_image_set.h"
+#include "datasets/formats/organised_cloud.h"
+#include "datasets/importers/grasp_mask.h"
 #include "lib/core/image.h"
 #include "lib/core/progress.h"
 
@@ -20,17 +22,25 @@ namespace handcraft::datasets {
 
 /// A picture as an importer found it.
 struct SourcePicture {
-  std::filesystem::path path;  ///< its file; of an embedded picture the file that holds it
-  std::string image;           ///< its path below images/ in the set
-  std::string mask;            ///< the path of its mask below masks/, ends in .png
+  std::filesystem::path path = {};  ///< its file; of an embedded picture the file that holds it
+  std::string image = {};           ///< its path below images/ in the set
+  std::string mask = {};            ///< the path of its mask below masks/, ends in .png
   std::string object_class = "object";
-  std::string instance;                      ///< which physical object it shows
+  std::string instance = {};                 ///< which physical object it shows
   std::optional<int> number = std::nullopt;  ///< in the order of taking, where that is known
-  std::string split = {};                    ///< filled by ImportPictures
+  std::string split = {};                    ///< filled by the import
+  /// Of a view: the object is turned by so much about z, in [0, 360).
+  std::optional<double> angle_deg = std::nullopt;
   /// Its mask, given the size of the picture. Called once, from any thread.
   std::function<Image(int width, int height)> make_mask = {};
   /// The bytes of an embedded picture; empty: those of `path`.
   std::function<std::vector<std::uint8_t>()> embedded = {};
+  /// A picture that is no file, such as a part of one; empty: there is a file.
+  std::function<Image()> make_image = {};
+  /// Its cloud, given the size of the picture; empty: none.
+  std::function<OrganisedCloud(int width, int height)> make_cloud = {};
+  /// The grasp rectangles that its mask was made of; empty: none.
+  std::function<MarkedRectangles()> read_rectangles = {};
 };
 
 /// What a source holds.
@@ -56,7 +66,8 @@ struct ImportOptions {
 };
 
 /// Writes a labelled image set to `out`, which must not exist or be empty: images/ (copied byte for
-/// byte), masks/ and manifest.csv. Of the instances, in the byte order of their names, the last
+/// byte), masks/, clouds/ and rectangles.csv (see WriteRectangles) where there are any, and
+/// manifest.csv. Of the instances, in the byte order of their names, the last
 /// round(test_share · number) are the split "test", at least one and never all; a share of 0 is
 /// none. On failure nothing is left of it. Throws Error when two pictures would be one file, a mask
 /// is not of its picture's size, the pattern is not found, or a file cannot be read or written.

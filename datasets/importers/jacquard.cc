@@ -74,15 +74,17 @@ std::string ObjectOf(const std::string& scene) {
 SourcePicture Describe(const fs::path& image,
                        const fs::path& relative,
                        const std::string& scene,
-                       std::vector<GraspRectangle> grasps,
+                       const std::vector<GraspRectangle>& grasps,
                        const GraspMaskOptions& options) {
-  return {.path = image,
-          .image = relative.generic_string(),
-          .mask = (relative.parent_path() / (scene + ".png")).generic_string(),
-          .instance = ObjectOf(scene),
-          .make_mask = [grasps = std::move(grasps), options](int width, int height) {
-            return MakeGraspMask(width, height, grasps, {}, options);
-          }};
+  return {
+      .path = image,
+      .image = relative.generic_string(),
+      .mask = (relative.parent_path() / (scene + ".png")).generic_string(),
+      .instance = ObjectOf(scene),
+      .make_mask = [grasps, options](
+                       int width,
+                       int height) { return MakeGraspMask(width, height, grasps, {}, options); },
+      .read_rectangles = [grasps] { return MarkedRectangles{.positive = grasps, .negative = {}}; }};
 }
 
 }  // namespace
@@ -118,10 +120,9 @@ SourceSet ListJacquard(const fs::path& source, const GraspMaskOptions& options) 
     const std::string scene = name.substr(0, name.size() - kImageEnd.size());
     const fs::path labels = file.parent_path() / (scene + std::string(kGraspsEnd));
     if (!fs::exists(labels)) continue;
-    std::vector<GraspRectangle> grasps = ReadJacquardGrasps(labels);
+    const std::vector<GraspRectangle> grasps = ReadJacquardGrasps(labels);
     if (grasps.empty()) continue;
-    set.pictures.push_back(
-        Describe(file, file.lexically_relative(source), scene, std::move(grasps), options));
+    set.pictures.push_back(Describe(file, file.lexically_relative(source), scene, grasps, options));
   }
   if (set.pictures.empty()) {
     throw Error({.path = source.string(),

@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 
 #include "datasets/formats/labelled_image_set.h"
+#include "datasets/formats/view_set.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/tools/support/run.h"
 
@@ -84,6 +85,34 @@ TEST(ImportFormats, PairLabelsBesidePictures) {
   EXPECT_EQ(mask.At(19, 10), datasets::kMaskGood) << "handle";
   EXPECT_EQ(mask.At(10, 10), datasets::kMaskBad) << "wall";
   EXPECT_THAT(RunLine(line + "/no --label-suffix _grasp").err, HasSubstr("has no mask"));
+}
+
+TEST(ImportFormats, MakeViewsOfTurntables) {
+  const TemporaryDirectory folder;
+  const auto import = [&](const std::string& format, const std::string& options = "") {
+    const std::string out = (folder / std::to_string(options.size())).string();
+    const testing::Outcome outcome =
+        RunLine("data import " + format + " " HANDCRAFT_SOURCE_DIR "/tests/data/views/" + format +
+                " --out " + out + format + " --test-share 0 " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return datasets::ReadViewSet(out + format);
+  };
+  EXPECT_EQ(import("eth80").items.size(), 4U);
+  EXPECT_EQ(import("coil").items.at(1).angle_deg, 5.0);
+  const datasets::ViewSet washington = import("washington");
+  EXPECT_EQ(washington.items.at(1).angle_deg, 7.5);
+  EXPECT_FALSE(washington.items.at(1).cloud.empty());
+  const datasets::ViewSet bop = import("bop");
+  EXPECT_EQ(bop.items.at(0).angle_deg, 0.0);
+  EXPECT_TRUE(datasets::FindFaults(bop).empty());
+  EXPECT_GT(datasets::ReadObjectMask(import("bop", "--margin 2"), 0).width(), 0);
+  const std::string source = HANDCRAFT_SOURCE_DIR "/tests/data/views/";
+  const std::string out = " --out " + (folder / "no").string();
+  EXPECT_THAT(RunLine("data import eth80 " + source + "eth80 --polar 45" + out).err,
+              HasSubstr("angles PPP found: 90"));
+  EXPECT_EQ(RunLine("data import coil " + source + "coil --threshold 256" + out).code, 2);
+  EXPECT_THAT(RunLine("data import coil " + source + "coil --json" + out).out,
+              HasSubstr("\"num_views\": 4"));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/importers/image_set_import.h"
+#include "datasets/importers/view_set_import.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "tools/import_formats.h"
@@ -22,6 +23,7 @@ struct DataImportOptions {
   std::string source;
   std::string out;
   SourceLister list;
+  SetKind makes = SetKind::kLabelledImages;
   datasets::ImportOptions import;
   bool json = false;
 };
@@ -51,34 +53,50 @@ void AddSharedOptions(CLI::App& command, DataImportOptions& options) {
   AddJsonFlag(command, options.json);
 }
 
+// What was made, in words and as JSON.
+template <class Set>
+void TellOf(const Set& set,
+            const char* what,
+            const DataImportOptions& options,
+            const Console& console) {
+  if (options.json) {
+    console.Print({{"folder", options.out},
+                   {std::string("num_") + what, set.items.size()},
+                   {"fingerprint", datasets::Fingerprint(set)}});
+  } else {
+    console.out << "Wrote " << set.items.size() << ' ' << what << " with masks to " << options.out
+                << '\n';
+  }
+}
+
 void RunDataImport(const DataImportOptions& options, const Console& console) {
   options.import.Validate();
   datasets::SourceSet source = options.list(options.source);
   ProgressBar bar(console);
   datasets::ImportOptions import = options.import;
   import.progress = bar.Callback();
-  const datasets::LabelledImageSet set =
-      datasets::ImportPictures(std::move(source), options.out, import);
-  bar.Clear();
-  if (options.json) {
-    console.Print({{"folder", options.out},
-                   {"num_images", set.items.size()},
-                   {"fingerprint", datasets::Fingerprint(set)}});
+  if (options.makes == SetKind::kViews) {
+    const datasets::ViewSet set = datasets::ImportViews(std::move(source), options.out, import);
+    bar.Clear();
+    TellOf(set, "views", options, console);
   } else {
-    console.out << "Wrote " << set.items.size() << " images with masks to " << options.out << '\n';
+    const auto set = datasets::ImportPictures(std::move(source), options.out, import);
+    bar.Clear();
+    TellOf(set, "images", options, console);
   }
 }
 
 }  // namespace
 
 void AddDataImport(CLI::App& parent, const Console& console) {
-  CLI::App* import = parent.add_subcommand("import", "Turn a public data set into a labelled one");
+  CLI::App* import = parent.add_subcommand("import", "Turn a public data set into one of ours");
   import->require_subcommand(1);
   for (const ImportFormat& format : ImportFormats()) {
     auto options = std::make_shared<DataImportOptions>();
     CLI::App* command = import->add_subcommand(format.name, format.description);
     command->add_option("SRC", options->source, format.source)->required();
     options->list = format.add_options(*command);
+    options->makes = format.makes;
     AddSharedOptions(*command, *options);
     SetExample(*command, std::string("handcraft data import ") + format.example);
     command->callback([options, &console] { RunDataImport(*options, console); });

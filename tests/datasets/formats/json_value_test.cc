@@ -39,6 +39,15 @@ TEST(JsonValue, ReadsEachType) {
   EXPECT_FALSE(json.Has("more"));
 }
 
+TEST(JsonValue, ListsMembersInTheOrderOfTheirKeys) {
+  const auto members = Read(R"({"b": 1, "a": [2]})").Members();
+  ASSERT_THAT(members, SizeIs(2));
+  EXPECT_EQ(members[0].first, "a");
+  EXPECT_THAT(members[0].second.Numbers(), ElementsAre(2.0));
+  EXPECT_EQ(members[1].first, "b");
+  EXPECT_THROWS_MESSAGE(members[1].second.Members(), Error, HasSubstr("at /b: 1; an object"));
+}
+
 TEST(JsonValue, OutlivesItsParent) {
   const JsonValue inner = Read(R"({"a": {"b": ["x"]}})")["a"]["b"].Items()[0];
   EXPECT_EQ(inner.Text(), "x");

@@ -55,7 +55,7 @@ TEST_F(ImportCornellTest, ReadsTheOriginalTree) {
   AddPicture("01", "0100");
   AddPicture("02", "0250");
   WriteText("02/pcd0250cneg.txt", "0 0\r\n3 0\r\n3 3\r\n0 3\r\n");
-  WriteText("01/pcd0100.txt", "a point cloud");
+  WriteText("01/pcd0100.txt", "FIELDS x y z rgb index\nPOINTS 1\nDATA ascii\n1500 0 -250 0 41\n");
   WriteText("pcdb0002r.png", "a background, not read");
   const LabelledImageSet set = Import();
 
@@ -66,6 +66,15 @@ TEST_F(ImportCornellTest, ReadsTheOriginalTree) {
   EXPECT_EQ(set.items[0].instance, "0100-0109");
   EXPECT_EQ(set.items[0].split, "train");
   EXPECT_EQ(set.items[1].split, "test");
+  EXPECT_EQ(set.items[0].Companion(kCloud), "clouds/pcd0100.pcd");
+  EXPECT_EQ(set.items[1].Companion(kCloud), "");
+  const OrganisedCloud cloud = ReadPcd(out_ / "clouds/pcd0100.pcd");
+  EXPECT_TRUE(cloud.At(1, 1).isApprox(Eigen::Vector3f(1.5F, 0, -0.25F)));
+  EXPECT_EQ(ReadTextFile(out_ / "rectangles.csv"),
+            "image,good,u1_px,v1_px,u2_px,v2_px,u3_px,v3_px,u4_px,v4_px\n"
+            "images/pcd0100r.png,1,4,4,10,4,10,8,4,8\n"
+            "images/pcd0250r.png,1,4,4,10,4,10,8,4,8\n"
+            "images/pcd0250r.png,0,0,0,3,0,3,3,0,3\n");
   EXPECT_EQ(ReadFile(out_ / "images/pcd0250r.png"), ReadFile(tree_ / "02/pcd0250r.png"));
   const Image mask = ReadMask(set, 1);
   EXPECT_EQ(mask.At(7, 6), kMaskGood);

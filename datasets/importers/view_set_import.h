@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <filesystem>
+
+#include "datasets/formats/view_set.h"
+#include "datasets/importers/image_set_import.h"
+
+namespace handcraft::datasets {
+
+/// As ImportPictures, of views: writes a view set, images/, object_masks/ (what make_mask returns:
+/// kObject and kNoObject alone), clouds/ where there are any, and views.csv.
+ViewSet ImportViews(SourceSet source,
+                    const std::filesystem::path& out,
+                    const ImportOptions& options);
+
+}  // namespace handcraft::datasets
