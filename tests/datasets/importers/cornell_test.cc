@@ -170,6 +170,7 @@ TEST_F(ImportCornellTest, MadeTheSampleSet) {
       ListCornell(source, {}), out_, {.max_images = 24, .licence = "GPL-3.0", .num_threads = 2});
   EXPECT_EQ(Fingerprint(again), Fingerprint(set));
   EXPECT_EQ(ReadFile(out_ / "manifest.csv"), ReadFile(sample / "manifest.csv"));
+  EXPECT_EQ(ReadFile(out_ / "rectangles.csv"), ReadFile(sample / "rectangles.csv"));
 }
 
 }  // namespace

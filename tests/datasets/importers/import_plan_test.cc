@@ -67,8 +67,8 @@ class CopyPictureTest : public ImporterTest {};
 
 TEST_F(CopyPictureTest, CopiesAFileAndWritesAMadePicture) {
   WriteImage("a.png", 4, 3);
-  const std::vector<std::uint8_t> bytes = ReadFile(tree_ / "a.png");
-  const Image image = CopyPicture({.path = tree_ / "a.png"}, tree_ / "b.png");
+  std::vector<std::uint8_t> bytes = ReadFile(tree_ / "a.png");
+  Image image = CopyPicture({.path = tree_ / "a.png"}, tree_ / "b.png");
   EXPECT_EQ(image.width(), 4);
   EXPECT_EQ(ReadFile(tree_ / "b.png"), bytes);
   CopyPicture({.embedded = [&] { return bytes; }}, tree_ / "c.png");
