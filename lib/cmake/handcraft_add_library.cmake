@@ -22,7 +22,7 @@ set(HANDCRAFT_THIRD_PARTY_perception opencv_core opencv_imgproc opencv_imgcodecs
 set(HANDCRAFT_THIRD_PARTY_model_io nlohmann_json::nlohmann_json)
 set(HANDCRAFT_THIRD_PARTY_datasets
     Eigen3::Eigen embree fmt::fmt nlohmann_json::nlohmann_json opencv_core opencv_imgproc
-    opencv_imgcodecs tinyxml2::tinyxml2 tomlplusplus::tomlplusplus ZLIB::ZLIB)
+    opencv_imgcodecs opencv_calib3d tinyxml2::tinyxml2 tomlplusplus::tomlplusplus ZLIB::ZLIB)
 set(HANDCRAFT_THIRD_PARTY_trainer Eigen3::Eigen fmt::fmt BLAS::BLAS LAPACK::LAPACK)
 set(HANDCRAFT_THIRD_PARTY_experiments
     fmt::fmt nlohmann_json::nlohmann_json opencv_core opencv_imgproc opencv_imgcodecs BLAS::BLAS
