@@ -54,6 +54,9 @@ void WriteSceneFiles(const fs::path& root, std::string_view name, const SceneFil
   write("images", "_right.png", files.right_image);
   write("masks", ".png", files.mask);
   write("object_masks", ".png", files.object_mask);
+  if (!files.cloud.points.empty()) {
+    datasets::WritePcd(root / ScenePath("clouds", name, ".pcd"), files.cloud);
+  }
   if (!files.depth.empty()) {
     perception::WritePng16(root / ScenePath("depth", name, ".png"), ToMillimetres(files.depth));
   }

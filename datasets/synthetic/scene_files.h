@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "datasets/formats/organised_cloud.h"
 #include "datasets/synthetic/camera.h"
 #include "datasets/synthetic/scene.h"
 #include "lib/core/image.h"
@@ -18,12 +19,13 @@ namespace handcraft::synthetic {
 /// Under which terms made-up pictures may be passed on.
 inline constexpr std::string_view kSyntheticLicence = "CC0-1.0";
 
-/// What is written of one scene. Pictures that are empty are left out.
+/// What is written of one scene. What is empty is left out.
 struct SceneFiles {
-  Image image = {};        ///< images/NAME.png
-  Image right_image = {};  ///< images/NAME_right.png
-  Image mask = {};         ///< masks/NAME.png
-  Image object_mask = {};  ///< object_masks/NAME.png
+  Image image = {};                     ///< images/NAME.png
+  Image right_image = {};               ///< images/NAME_right.png
+  Image mask = {};                      ///< masks/NAME.png
+  Image object_mask = {};               ///< object_masks/NAME.png
+  datasets::OrganisedCloud cloud = {};  ///< clouds/NAME.pcd
   FloatImage depth = {};   ///< depth/NAME.png: 16 bits, millimetres; 0: nothing there [m]
   std::string scene = {};  ///< scenes/NAME.toml, written last
 };

@@ -3,10 +3,8 @@
 
 #include "datasets/synthetic/grasp_point_set.h"
 
-#include <map>
 #include <set>
 #include <string>
-#include <vector>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -14,34 +12,22 @@
 #include "datasets/labelled_image_faults.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
+#include "tests/datasets/synthetic/small_camera.h"
 #include "tests/support/expect_throws_message.h"
+#include "tests/support/read_tree.h"
 #include "tests/support/temporary_directory.h"
 
 namespace handcraft::synthetic {
 namespace {
 
 namespace fs = std::filesystem;
+using handcraft::testing::ReadTree;
+using handcraft::testing::TemporaryDirectory;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using testing::TemporaryDirectory;
+using testing::SmallCamera;
 
-// A sixteenth of the usual picture, for speed.
-const PinholeCamera kSmallCamera = {.width_px = 160,
-                                    .height_px = 120,
-                                    .focal_px = 131.25F,
-                                    .centre_u_px = 79.5F,
-                                    .centre_v_px = 59.5F};
-
-// Every file below the folder, by its path.
-std::map<std::string, std::vector<std::uint8_t>> ReadTree(const fs::path& root) {
-  std::map<std::string, std::vector<std::uint8_t>> files;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
-    if (entry.is_regular_file()) {
-      files[entry.path().lexically_relative(root).generic_string()] = ReadFile(entry.path());
-    }
-  }
-  return files;
-}
+const PinholeCamera kSmallCamera = SmallCamera();
 
 TEST(MakeGraspPointSet, MakesASoundSet) {
   const TemporaryDirectory folder;

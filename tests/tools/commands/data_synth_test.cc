@@ -2,68 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
 
-#include "datasets/formats/labelled_image_set.h"
-#include "lib/core/file.h"
-#include "tests/support/temporary_directory.h"
 #include "tests/tools/support/run.h"
 
 namespace handcraft::tools {
 namespace {
 
-using handcraft::testing::TemporaryDirectory;
 using ::testing::HasSubstr;
 using testing::Outcome;
 using testing::RunLine;
-using ::testing::StartsWith;
 
-class DataSynth : public ::testing::Test {
- protected:
-  [[nodiscard]] Outcome Make(const std::string& options) const {
-    return RunLine("data synth grasp-points --out " + out_.string() + " " + options);
+TEST(DataSynth, NamesTheKinds) {
+  const Outcome help = RunLine("data synth --help");
+  EXPECT_EQ(help.code, 0);
+  for (const char* kind : {"grasp-points", "turntable", "moved"}) {
+    EXPECT_THAT(help.out, HasSubstr(kind));
   }
-
-  TemporaryDirectory folder_;
-  std::filesystem::path out_ = folder_ / "made";
-};
-
-TEST_F(DataSynth, MakesASetThatPassesTheCheck) {
-  const Outcome outcome = Make("--images 2");
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, StartsWith("Wrote 2 images with masks to "));
-  const Outcome check = RunLine("data check " + out_.string());
-  EXPECT_EQ(check.code, 0) << check.out << check.err;
 }
 
-TEST_F(DataSynth, TakesItsOptions) {
-  const Outcome outcome = Make("--images 1 --family novel --seed 5 --stereo --threads 1 --json");
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const auto json = nlohmann::json::parse(outcome.out);
-  EXPECT_EQ(json["num_images"], 1);
-  const datasets::LabelledImageSet set = datasets::ReadLabelledImageSet(out_);
-  EXPECT_EQ(json["fingerprint"], datasets::Fingerprint(set));
-  EXPECT_EQ(set.items[0].object_class, "bottle");
-  EXPECT_TRUE(std::filesystem::exists(out_ / "images/bottle_0000_0_right.png"));
-  EXPECT_THAT(ReadTextFile(out_ / "dataset.toml"), HasSubstr("seed = 5\n"));
-}
-
-TEST_F(DataSynth, RefusesOptionsThatContradictAndValuesItDoesNotKnow) {
-  EXPECT_EQ(Make("--images 2 --size full").code, 2);
-  EXPECT_THAT(Make("--images -1").err, HasSubstr("--images: -1 given; it must be from 0 to"));
-  EXPECT_EQ(Make("--family old").code, 2);
-  EXPECT_EQ(Make("--size huge").code, 2);
-  EXPECT_THAT(RunLine("data synth").err, HasSubstr("grasp-points"));
-  EXPECT_FALSE(std::filesystem::exists(out_));
-}
-
-TEST_F(DataSynth, RefusesAFolderOfOthers) {
-  std::filesystem::create_directory(out_);
-  WriteFileAtomically(out_ / "mine", "precious");
-  const Outcome outcome = Make("--images 1");
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("is not an empty folder"));
-  EXPECT_EQ(ReadTextFile(out_ / "mine"), "precious");
+TEST(DataSynth, NeedsAKind) {
+  EXPECT_EQ(RunLine("data synth").code, 2);
+  EXPECT_EQ(RunLine("data synth pictures --out made").code, 2);
 }
 
 }  // namespace

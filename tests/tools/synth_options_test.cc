@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "tools/synth_options.h"
+
+#include "lib/core/error.h"
+#include "tests/support/expect_throws_message.h"
+#include "tests/support/temporary_directory.h"
+#include "tests/tools/support/small_camera_file.h"
+
+namespace handcraft::tools {
+namespace {
+
+using handcraft::testing::TemporaryDirectory;
+using testing::CameraFile;
+using ::testing::HasSubstr;
+
+TEST(AddSetFolder, AsksForAFolder) {
+  CLI::App app;
+  std::string out;
+  AddSetFolder(app, out);
+  EXPECT_THROW(app.parse(""), CLI::RequiredError);
+  app.parse("--out made");
+  EXPECT_EQ(out, "made");
+}
+
+TEST(ApplyCameraFile, TakesWhatTheFileNames) {
+  const TemporaryDirectory folder;
+  CLI::App app;
+  std::string path;
+  AddCameraFile(app, path);
+  app.parse("--camera " + CameraFile(folder.path()));
+  synthetic::PinholeCamera camera;
+  float baseline_m = 0.12F;
+  ApplyCameraFile(path, camera, baseline_m);
+  EXPECT_EQ(camera.width_px, 160);
+  EXPECT_EQ(camera.focal_px, 131.25F);
+  EXPECT_EQ(baseline_m, 0.12F);
+  ApplyCameraFile(CameraFile(folder.path(), "baseline_m = 0.05\n"), camera, baseline_m);
+  EXPECT_EQ(baseline_m, 0.05F);
+}
+
+TEST(ApplyCameraFile, LeavesTheCameraWithoutAFile) {
+  synthetic::PinholeCamera camera;
+  float baseline_m = 0.1F;
+  ApplyCameraFile("", camera, baseline_m);
+  EXPECT_EQ(camera.width_px, 640);
+  EXPECT_EQ(baseline_m, 0.1F);
+  EXPECT_THROWS_MESSAGE(
+      ApplyCameraFile("no.toml", camera, baseline_m), Error, HasSubstr("No such file"));
+}
+
+}  // namespace
+}  // namespace handcraft::tools

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <array>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "datasets/synthetic/view_sets.h"
+#include "tools/commands.h"
+#include "tools/common_options.h"
+#include "tools/number_option.h"
+#include "tools/progress_bar.h"
+#include "tools/synth_options.h"
+
+namespace handcraft::tools {
+namespace {
+
+using synthetic::CloudSensor;
+using synthetic::ViewSetKind;
+using synthetic::ViewSetOptions;
+
+constexpr std::array<CloudSensor, 5> kSensors = {CloudSensor::kStereo,
+                                                 CloudSensor::kStereoBlockMatching,
+                                                 CloudSensor::kStereoActive,
+                                                 CloudSensor::kDepthCamera,
+                                                 CloudSensor::kPerfect};
+
+struct DataSynthViewsOptions {
+  std::string out;
+  std::string family = "taught";
+  std::string sensor = "stereo";
+  std::string camera;
+  ViewSetOptions set;
+  bool json = false;
+};
+
+CloudSensor SensorNamed(std::string_view name) {
+  for (const CloudSensor sensor : kSensors) {
+    if (NameOf(sensor) == name) return sensor;
+  }
+  return CloudSensor::kStereo;  // the command line lets no other name pass
+}
+
+void RunViews(const DataSynthViewsOptions& options, const Console& console) {
+  ViewSetOptions set_options = options.set;
+  set_options.family = synthetic::FamilyNamed(options.family);
+  set_options.sensor = SensorNamed(options.sensor);
+  ApplyCameraFile(options.camera, set_options.camera, set_options.baseline_m);
+  ProgressBar bar(console);
+  set_options.progress = bar.Callback();
+  const datasets::ViewSet set = synthetic::MakeViewSet(options.out, set_options);
+  bar.Clear();
+  if (options.json) {
+    console.Print({{"folder", options.out},
+                   {"num_views", set.items.size()},
+                   {"fingerprint", datasets::Fingerprint(set)}});
+  } else {
+    console.out << "Wrote " << set.items.size() << " views to " << options.out << '\n';
+  }
+}
+
+CLI::Validator CameraNoiseRule(float synthetic::CameraNoise::*field) {
+  return CheckNumber<float>([field](float value) -> std::string {
+    ViewSetOptions options;
+    options.camera_noise.*field = value;
+    try {
+      options.Validate();
+    } catch (const Error& refusal) {
+      return RuleOf(refusal);
+    }
+    return "";
+  });
+}
+
+void AddViews(CLI::App& command, DataSynthViewsOptions& options) {
+  AddSetFolder(command, options.out);
+  command
+      .add_option(
+          "--family",
+          options.family,
+          "taught: six kinds; untaught: eight others; regrasp: four (docs/synthetic_data.md)")
+      ->check(CLI::IsMember({"taught", "untaught", "regrasp"}))
+      ->capture_default_str();
+  AddNumber(command, "--views", options.set, &ViewSetOptions::num_views, "Views of each class");
+  command
+      .add_option("--sensor",
+                  options.sensor,
+                  "What measures the cloud: stereo (semi-global matching), stereo-bm (block "
+                  "matching), stereo-active (with a projector of dots), depth-camera, perfect")
+      ->check(CLI::IsMember({"stereo", "stereo-bm", "stereo-active", "depth-camera", "perfect"}))
+      ->capture_default_str();
+  AddNumber(command,
+            "--camera-noise-m",
+            options.set.camera_noise.position_m,
+            CameraNoiseRule(&synthetic::CameraNoise::position_m),
+            "Standard deviation of the camera's place between views, along each axis [m]");
+  AddNumber(command,
+            "--camera-noise-deg",
+            options.set.camera_noise.angle_deg,
+            CameraNoiseRule(&synthetic::CameraNoise::angle_deg),
+            "Standard deviation of the camera's turn between views, about each axis [degrees]");
+  AddCameraFile(command, options.camera);
+  AddSeedOption(command, options.set.seed);
+  AddThreadsOption(command, options.set.num_threads);
+  AddJsonFlag(command, options.json);
+}
+
+}  // namespace
+
+void AddDataSynthTurntable(CLI::App& parent, const Console& console) {
+  auto options = std::make_shared<DataSynthViewsOptions>();
+  CLI::App* command = parent.add_subcommand(
+      "turntable", "Views of objects that are turned by equal steps, with measured clouds");
+  AddViews(*command, *options);
+  SetExample(*command, "handcraft data synth turntable --out out/turntable --views 2");
+  command->callback([options, &console] { RunViews(*options, console); });
+}
+
+void AddDataSynthMoved(CLI::App& parent, const Console& console) {
+  auto options = std::make_shared<DataSynthViewsOptions>();
+  options->set.kind = ViewSetKind::kMoved;
+  options->set.num_views = 30;
+  CLI::App* command = parent.add_subcommand(
+      "moved", "Views of the same objects in random places, turned and scaled, with clouds");
+  AddViews(*command, *options);
+  SetExample(*command, "handcraft data synth moved --out out/moved --views 2");
+  command->callback([options, &console] { RunViews(*options, console); });
+}
+
+}  // namespace handcraft::tools
