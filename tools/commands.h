@@ -14,6 +14,7 @@ namespace handcraft::tools {
 
 void AddDataInfo(CLI::App& parent, const Console& console);
 void AddDataCheck(CLI::App& parent, const Console& console);
+void AddDataClouds(CLI::App& parent, const Console& console);
 void AddDataExport(CLI::App& parent, const Console& console);
 void AddDataImport(CLI::App& parent, const Console& console);
 void AddDataPreview(CLI::App& parent, const Console& console);

@@ -55,6 +55,7 @@ void AddCommands(CLI::App& app, const Console& console) {
   CLI::App& data = AddGroup(app, "data", "Import, make, describe, check and export data sets");
   AddDataInfo(data, console);
   AddDataCheck(data, console);
+  AddDataClouds(data, console);
   AddDataExport(data, console);
   AddDataImport(data, console);
   AddDataPreview(data, console);
