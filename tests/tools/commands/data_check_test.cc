@@ -6,6 +6,7 @@
 
 #include "lib/core/file.h"
 #include "lib/perception/image_io.h"
+#include "tests/datasets/small_view_set.h"
 #include "tests/tools/support/generated_data.h"
 #include "tests/tools/support/run.h"
 
@@ -50,6 +51,18 @@ TEST_F(DataCheck, RefusesAFolderWithoutManifest) {
   const Outcome outcome = RunArgs({"data", "check", folder_.path().string()});
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("manifest.csv"));
+}
+
+TEST_F(DataCheck, ChecksViewSets) {
+  const std::filesystem::path root = folder_ / "views";
+  std::filesystem::create_directory(root);
+  datasets::WriteViews(handcraft::testing::MakeViewSet(root));
+  EXPECT_THAT(RunArgs({"data", "check", root.string()}).out, HasSubstr("OK: 3 images and masks"));
+  std::filesystem::remove(root / "a.pcd");
+  const Outcome outcome = RunArgs({"data", "check", root.string()});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.out, HasSubstr("a.pcd: "));
+  EXPECT_THAT(outcome.err, HasSubstr("1 fault in 3 images"));
 }
 
 }  // namespace
