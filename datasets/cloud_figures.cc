@@ -103,6 +103,7 @@ std::vector<CloudFigures> CompareClouds(const ViewSet& set,
     all.Add(of_views[i]);
   }
   std::vector<CloudFigures> figures;
+  figures.reserve(classes.size() + 1);
   for (auto& [name, errors] : classes) figures.push_back(Summarise(name, std::move(errors)));
   figures.push_back(Summarise("", std::move(all)));
   return figures;
