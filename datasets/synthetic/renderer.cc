@@ -136,9 +136,11 @@ class Painter {
   [[nodiscard]] Colour Shade(const Hit& hit, const Vector3f& ray, const Visible& visible) const {
     if (hit.mesh == Hit::kNothing) return scene_.ambient;
     const SurfacePoint point = geometry_.PointAt(hit, ray);
-    const Colour own = Reflected(point, ray, visible);
-    if (point.material->transmission <= 0.0F) return own;
-    return own + Passing(point, ray).cwiseProduct(Behind(point, ray, visible.sky));
+    Colour colour = Reflected(point, ray, visible);
+    if (point.material->transmission > 0.0F) {
+      colour += Passing(point, ray).cwiseProduct(Behind(point, ray, visible.sky));
+    }
+    return colour;
   }
 
   // What comes through a clear surface from behind it: the ray goes on straight to the first

@@ -153,7 +153,8 @@ Object DrawMartiniGlass(Rng& rng) {
   profile.push_back({0.5F * stem_m, stem_top_m + 0.004F + wall_m, {}});
   Material glass = Clear(
       FromHsv(Between(rng, 0.3F, 0.65F), Between(rng, 0.0F, 0.05F), Between(rng, 0.96F, 0.995F)));
-  glass.specular = Between(rng, 0.04F, 0.08F);
+  glass.transmission = Between(rng, 0.80F, 0.92F);  // it bends light, which darkens it
+  glass.specular = Between(rng, 0.06F, 0.14F);
   glass.shininess = Between(rng, 200.0F, 900.0F);
   return {.mesh = Revolve(profile, Ends::kCapped), .materials = {glass}};
 }
