@@ -117,9 +117,10 @@ TEST(RunHandcraft, RefusesAnEmptyPath) {
 TEST(RunHandcraft, AsksForTheMissingCommand) {
   EXPECT_EQ(RunLine("").code, 2);
   EXPECT_THAT(RunLine("").err, HasSubstr("a command is missing; there are: data, "));
-  EXPECT_THAT(RunLine("data").err,
-              AllOf(HasSubstr("a command is missing; there are: info, check, clouds, export, import"),
-                    HasSubstr("Try 'handcraft data --help'.")));
+  EXPECT_THAT(
+      RunLine("data").err,
+      AllOf(HasSubstr("a command is missing; there are: info, check, clouds, export, import"),
+            HasSubstr("Try 'handcraft data --help'.")));
 }
 
 TEST(RunHandcraft, RefusesWrongOptionsWithAHint) {
