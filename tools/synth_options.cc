@@ -3,14 +3,54 @@
 
 #include "tools/synth_options.h"
 
+#include <array>
+
 #include "datasets/synthetic/camera_file.h"
 
 namespace handcraft::tools {
+namespace {
+
+using synthetic::CloudSensor;
+
+constexpr std::array<CloudSensor, 5> kSensors = {CloudSensor::kStereo,
+                                                 CloudSensor::kStereoBlockMatching,
+                                                 CloudSensor::kStereoActive,
+                                                 CloudSensor::kDepthCamera,
+                                                 CloudSensor::kPerfect};
+
+}  // namespace
 
 void AddSetFolder(CLI::App& command, std::string& out) {
   command.add_option("--out", out, "Folder to make, or to go on with after a run was stopped")
       ->type_name("DIR")
       ->required();
+}
+
+void AddObjectFamily(CLI::App& command, std::string& family) {
+  command
+      .add_option(
+          "--family",
+          family,
+          "taught: six kinds; untaught: eight others; regrasp: four (docs/synthetic_data.md)")
+      ->check(CLI::IsMember({"taught", "untaught", "regrasp"}))
+      ->capture_default_str();
+}
+
+void AddCloudSensor(CLI::App& command, std::string& sensor) {
+  command
+      .add_option("--sensor",
+                  sensor,
+                  "What measures the cloud: stereo (semi-global matching), stereo-bm (block "
+                  "matching), stereo-active (with a projector of dots), depth-camera, perfect")
+      ->check(CLI::IsMember({"stereo", "stereo-bm", "stereo-active", "depth-camera", "perfect"}))
+      ->capture_default_str();
+}
+
+CloudSensor SensorNamed(std::string_view name) {
+  for (const CloudSensor sensor : kSensors) {
+    if (NameOf(sensor) == name) return sensor;
+  }
+  return CloudSensor::kStereo;  // the command line lets no other name pass
 }
 
 void AddCameraFile(CLI::App& command, std::string& path) {

@@ -4,16 +4,27 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include <CLI/App.hpp>
 
 #include "datasets/synthetic/camera.h"
+#include "datasets/synthetic/measured_view.h"
 
 /// Options that mean the same for every kind of made-up set.
 namespace handcraft::tools {
 
 /// `--out DIR`, which must be given.
 void AddSetFolder(CLI::App& command, std::string& out);
+
+/// `--family`: taught, untaught or regrasp, the families of single objects.
+void AddObjectFamily(CLI::App& command, std::string& family);
+
+/// `--sensor`: what measures the clouds, by the names of synthetic::NameOf.
+void AddCloudSensor(CLI::App& command, std::string& sensor);
+
+/// The sensor of that name, which AddCloudSensor has let pass.
+[[nodiscard]] synthetic::CloudSensor SensorNamed(std::string_view name);
 
 /// `--camera FILE`: empty when not given.
 void AddCameraFile(CLI::App& command, std::string& path);

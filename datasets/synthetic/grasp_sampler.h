@@ -35,8 +35,8 @@ struct GraspCounts {
 };
 
 struct GraspSamplerOptions {
-  int num_tries = 20000;   ///< poses to look at, at most; 1 ... 10⁷
-  int most_grasps = 2000;  ///< enough; 1 ... 10⁶
+  int num_tries = 10000;   ///< poses to look at, at most; 1 ... 10⁷
+  int most_grasps = 1000;  ///< enough; 1 ... 10⁶
   int num_approaches = 4;  ///< turns about the closing axis for each pair of contacts; 1 ... 360
 
   /// Throws Error(kUsage) naming field, value and rule.

@@ -21,6 +21,11 @@ GripperBoxes Swept(const ShownGrasp& shown, const Gripper& gripper) {
 
 }  // namespace
 
+void HoldCounts::Add(const HoldCounts& other) {
+  for (std::size_t i = 0; i < by_fault.size(); ++i) by_fault[i] += other.by_fault[i];
+  poses.Add(other.poses);
+}
+
 void HoldRules::Validate() const {
   RequireOption(least_height_m >= 0.0F && least_height_m <= 1.0F,
                 "HoldRules.least_height_m",

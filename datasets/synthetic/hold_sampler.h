@@ -42,6 +42,7 @@ struct HoldCounts {
   GraspCounts poses;
 
   void Add(HoldFault fault) { ++by_fault[static_cast<std::size_t>(fault)]; }
+  void Add(const HoldCounts& other);
   [[nodiscard]] std::size_t operator[](HoldFault fault) const {
     return by_fault[static_cast<std::size_t>(fault)];
   }

@@ -83,6 +83,19 @@ Family FamilyNamed(std::string_view name) {
   return static_cast<Family>(found - kFamilyNames.begin());
 }
 
+std::string_view NameOf(Symmetry symmetry) {
+  switch (symmetry) {
+    case Symmetry::kNone:
+      return "none";
+    case Symmetry::kHalfTurn:
+      return "half_turn";
+    case Symmetry::kRound:
+      return "round";
+  }
+  HC_CHECK(false, static_cast<int>(symmetry));
+  return {};
+}
+
 std::span<const ObjectClass> ClassesOf(Family family) {
   switch (family) {
     case Family::kTrained:

@@ -44,6 +44,9 @@ enum class Symmetry {
   kRound,     ///< any turn
 };
 
+/// As a view set names it: none, half_turn, round.
+[[nodiscard]] std::string_view NameOf(Symmetry symmetry);
+
 /// One kind of object, or of pairs of objects.
 struct ObjectClass {
   std::string_view name;

@@ -14,7 +14,6 @@
 #include "datasets/synthetic/scene_files.h"
 #include "datasets/synthetic/scene_parts.h"
 #include "datasets/synthetic/set_folder.h"
-#include "lib/core/check.h"
 #include "lib/core/error.h"
 #include "lib/core/option_rules.h"
 
@@ -37,19 +36,6 @@ struct Plan {
     return ScenePath(folder, name, ending);
   }
 };
-
-std::string_view SymmetryName(Symmetry symmetry) {
-  switch (symmetry) {
-    case Symmetry::kNone:
-      return "none";
-    case Symmetry::kHalfTurn:
-      return "half_turn";
-    case Symmetry::kRound:
-      return "round";
-  }
-  HC_CHECK(false, static_cast<int>(symmetry));
-  return {};
-}
 
 bool HasPair(CloudSensor sensor) {
   return sensor != CloudSensor::kDepthCamera && sensor != CloudSensor::kPerfect;
@@ -109,7 +95,7 @@ datasets::ObjectView Describe(const Plan& plan, const ViewSetOptions& options) {
           .licence = std::string(kSyntheticLicence),
           .depth = plan.Path("depth", ".png"),
           .scene = plan.Path("scenes", ".toml"),
-          .symmetry = std::string(SymmetryName(plan.kind->symmetry))};
+          .symmetry = std::string(NameOf(plan.kind->symmetry))};
 }
 
 // The room is that of the class: views of an object are taken in one session.

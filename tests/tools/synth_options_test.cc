@@ -24,6 +24,34 @@ TEST(AddSetFolder, AsksForAFolder) {
   EXPECT_EQ(out, "made");
 }
 
+TEST(AddCloudSensor, TakesTheNamesOfSensors) {
+  using synthetic::CloudSensor;
+  for (const CloudSensor sensor : {CloudSensor::kStereo,
+                                   CloudSensor::kStereoBlockMatching,
+                                   CloudSensor::kStereoActive,
+                                   CloudSensor::kDepthCamera,
+                                   CloudSensor::kPerfect}) {
+    CLI::App app;
+    std::string name;
+    AddCloudSensor(app, name);
+    app.parse("--sensor " + std::string(NameOf(sensor)));
+    EXPECT_EQ(SensorNamed(name), sensor);
+  }
+  CLI::App app;
+  std::string name;
+  AddCloudSensor(app, name);
+  EXPECT_THROW(app.parse("--sensor eyes"), CLI::ValidationError);
+}
+
+TEST(AddObjectFamily, TakesFamiliesOfSingleObjects) {
+  CLI::App app;
+  std::string family = "taught";
+  AddObjectFamily(app, family);
+  app.parse("--family untaught");
+  EXPECT_EQ(family, "untaught");
+  EXPECT_THROW(app.parse("--family trained"), CLI::ValidationError);
+}
+
 TEST(ApplyCameraFile, TakesWhatTheFileNames) {
   const TemporaryDirectory folder;
   CLI::App app;

@@ -11,6 +11,8 @@ void AddDataSynth(CLI::App& parent, const Console& console) {
   AddDataSynthGraspPoints(*synth, console);
   AddDataSynthTurntable(*synth, console);
   AddDataSynthMoved(*synth, console);
+  AddDataSynthDemonstrations(*synth, console);
+  AddDataSynthRegrasp(*synth, console);
 }
 
 }  // namespace handcraft::tools

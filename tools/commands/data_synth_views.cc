@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <array>
 #include <memory>
 #include <ostream>
 #include <string>
-#include <string_view>
 
 #include <nlohmann/json.hpp>
 
@@ -19,15 +17,8 @@
 namespace handcraft::tools {
 namespace {
 
-using synthetic::CloudSensor;
 using synthetic::ViewSetKind;
 using synthetic::ViewSetOptions;
-
-constexpr std::array<CloudSensor, 5> kSensors = {CloudSensor::kStereo,
-                                                 CloudSensor::kStereoBlockMatching,
-                                                 CloudSensor::kStereoActive,
-                                                 CloudSensor::kDepthCamera,
-                                                 CloudSensor::kPerfect};
 
 struct DataSynthViewsOptions {
   std::string out;
@@ -37,13 +28,6 @@ struct DataSynthViewsOptions {
   ViewSetOptions set;
   bool json = false;
 };
-
-CloudSensor SensorNamed(std::string_view name) {
-  for (const CloudSensor sensor : kSensors) {
-    if (NameOf(sensor) == name) return sensor;
-  }
-  return CloudSensor::kStereo;  // the command line lets no other name pass
-}
 
 void RunViews(const DataSynthViewsOptions& options, const Console& console) {
   ViewSetOptions set_options = options.set;
@@ -78,21 +62,9 @@ CLI::Validator CameraNoiseRule(float synthetic::CameraNoise::*field) {
 
 void AddViews(CLI::App& command, DataSynthViewsOptions& options) {
   AddSetFolder(command, options.out);
-  command
-      .add_option(
-          "--family",
-          options.family,
-          "taught: six kinds; untaught: eight others; regrasp: four (docs/synthetic_data.md)")
-      ->check(CLI::IsMember({"taught", "untaught", "regrasp"}))
-      ->capture_default_str();
+  AddObjectFamily(command, options.family);
   AddNumber(command, "--views", options.set, &ViewSetOptions::num_views, "Views of each class");
-  command
-      .add_option("--sensor",
-                  options.sensor,
-                  "What measures the cloud: stereo (semi-global matching), stereo-bm (block "
-                  "matching), stereo-active (with a projector of dots), depth-camera, perfect")
-      ->check(CLI::IsMember({"stereo", "stereo-bm", "stereo-active", "depth-camera", "perfect"}))
-      ->capture_default_str();
+  AddCloudSensor(command, options.sensor);
   AddNumber(command,
             "--camera-noise-m",
             options.set.camera_noise.position_m,

@@ -52,6 +52,12 @@ Moments MomentsOf(const Mesh& mesh) {
   return {second.norm() / total, first.norm() / total};
 }
 
+TEST(NameOf, HasAWordForEachSymmetry) {
+  EXPECT_EQ(NameOf(Symmetry::kNone), "none");
+  EXPECT_EQ(NameOf(Symmetry::kHalfTurn), "half_turn");
+  EXPECT_EQ(NameOf(Symmetry::kRound), "round");
+}
+
 TEST(ClassesOf, AreTheDissertationsInNumberAndSize) {
   int num_images = 0;
   for (const ObjectClass& kind : ClassesOf(Family::kTrained)) {

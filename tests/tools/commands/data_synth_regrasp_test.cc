@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "datasets/formats/demonstration_set.h"
+#include "datasets/formats/hold_set.h"
+#include "lib/core/file.h"
+#include "tests/support/temporary_directory.h"
+#include "tests/tools/support/run.h"
+#include "tests/tools/support/small_camera_file.h"
+
+namespace handcraft::tools {
+namespace {
+
+using handcraft::testing::TemporaryDirectory;
+using testing::CameraFile;
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::RunLine;
+
+class DataSynthRegrasp : public ::testing::Test {
+ protected:
+  [[nodiscard]] Outcome Make(const std::string& options) const {
+    return RunLine("data synth regrasp --out " + out_.string() + " --sensor perfect --camera " +
+                   CameraFile(folder_.path()) + " " + options);
+  }
+
+  TemporaryDirectory folder_;
+  std::filesystem::path out_ = folder_ / "made";
+};
+
+TEST_F(DataSynthRegrasp, MakesASetAndTellsOfIt) {
+  const Outcome outcome = Make("--configurations 1 --poses 2 --holds 3 --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["num_poses"], 8);
+  EXPECT_EQ(json["num_holds"], 12);
+  EXPECT_EQ(json["pairs"]["valid"], 12);
+  EXPECT_EQ(json["fingerprint"], datasets::Fingerprint(datasets::ReadHoldSet(out_)));
+  EXPECT_EQ(datasets::ReadDemonstrationSet(out_).items.size(), 8U);
+  const Outcome again = Make("--configurations 1 --poses 2 --holds 3");
+  EXPECT_THAT(again.out, HasSubstr("Wrote 8 poses and 12 holds to "));
+}
+
+TEST_F(DataSynthRegrasp, RefusesWhatItDoesNotKnow) {
+  EXPECT_EQ(Make("--family novel").code, 2);
+  EXPECT_EQ(Make("--sensor eyes").code, 2);
+  EXPECT_THAT(Make("--holds 0").err, HasSubstr("--holds: 0 given; it must be from 1 to"));
+  EXPECT_THAT(Make("--configurations 0").err, HasSubstr("it must be from 1 to 10000"));
+  EXPECT_FALSE(std::filesystem::exists(out_));
+}
+
+}  // namespace
+}  // namespace handcraft::tools
