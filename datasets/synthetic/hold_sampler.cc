@@ -56,7 +56,7 @@ ShownHold DrawHold(const Demonstrator& right,
   rules.Validate();
   for (int tries = 0; tries < rules.num_tries; ++tries) {
     const ShownGrasp of_right = right.Show(rng, counts.poses);
-    const ShownHold hold{.right = of_right, .left = left.Show(rng, counts.poses)};
+    ShownHold hold{.right = of_right, .left = left.Show(rng, counts.poses)};
     const HoldFault fault = CheckHold(hold, gripper, rules);
     counts.Add(fault);
     if (fault == HoldFault::kNone) return hold;
