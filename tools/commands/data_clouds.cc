@@ -55,7 +55,9 @@ void PrintTable(const Console& console, const std::vector<CloudFigures>& figures
   TextTable table({"class", "views", "measured", "median", "90 % within", "beyond 20 mm"});
   for (const CloudFigures& row : figures) {
     const bool has_errors = row.num_measured > 0;
-    const auto unless_none = [&](std::string text) { return has_errors ? text : std::string("-"); };
+    const auto unless_none = [&](const std::string& text) {
+      return has_errors ? text : std::string("-");
+    };
     table.AddRow({row.object_class.empty() ? "all" : row.object_class,
                   std::to_string(row.num_views),
                   fmt::format("{:.1f} %", 100.0 * ShareMeasured(row)),
