@@ -69,6 +69,7 @@ TEST(DrawOverview, NamesWhatIsWrong) {
 // Pictures of one gray each, 10 more than the one before.
 std::vector<SheetPicture> Grays(int count, std::vector<int>* drawn = nullptr) {
   std::vector<SheetPicture> pictures;
+  pictures.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     pictures.push_back({.row = "gray", .caption = "", .draw = [i, drawn] {
                           if (drawn != nullptr) drawn->push_back(i);

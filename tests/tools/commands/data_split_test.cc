@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <sstream>
+#include <string>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -21,8 +24,10 @@ using testing::RunLine;
 void WriteSet(const TemporaryDirectory& folder) {
   std::string text = "image,mask,class,instance,split,licence,depth,note\n";
   for (int i = 0; i < 10; ++i) {
-    const std::string n = std::to_string(i);
-    text += n + ".png," + n + "_m.png,mug,mug" + n + ",old,MIT,d" + n + ".png,\"a, " + n + "\"\n";
+    std::ostringstream row;
+    row << i << ".png," << i << "_m.png,mug,mug" << i << ",old,MIT,d" << i << ".png,\"a, " << i
+        << "\"\n";
+    text += row.str();
   }
   WriteFileAtomically(folder / "manifest.csv", text);
 }
