@@ -192,11 +192,12 @@ void MakePicture(const Plan& plan, const fs::path& root, const GraspPointSetOpti
   if (IsWritten(root, plan.name)) return;
   const Scene scene = DrawPlanned(plan, options);
   const View view = Render(scene, scene.camera);
-  SceneFiles files{.image = DevelopPlanned(plan, scene, view, "left", options.seed),
-                   .mask = view.labels,
-                   .object_mask = view.object_mask,
-                   .depth = view.depth,
-                   .scene = SceneToToml(plan.kind->name, plan.instance, scene)};
+  SceneFiles files;
+  files.image = DevelopPlanned(plan, scene, view, "left", options.seed);
+  files.mask = view.labels;
+  files.object_mask = view.object_mask;
+  files.depth = view.depth;
+  files.scene = SceneToToml(plan.kind->name, plan.instance, scene);
   if (options.with_right) {
     const View right = Render(scene, RightOf(scene.camera, options.baseline_m));
     files.right_image = DevelopPlanned(plan, scene, right, "right", options.seed);
