@@ -19,6 +19,7 @@ function(handcraft_add_test path)
   if(HANDCRAFT_LLD)
     target_link_options(${target} PRIVATE -fuse-ld=lld)
   endif()
+  target_compile_options(${target} PRIVATE -O1)  # quicker to compile; what is tested keeps its flags
   target_compile_definitions(${target} PRIVATE
     HANDCRAFT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   add_test(NAME ${path} COMMAND ${target} WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}/tests")
@@ -28,6 +29,9 @@ endfunction()
 # Gives test PATH its folder's label and makes the folder's target build TARGET; the same with threads.
 function(handcraft_label_test path target)
   string(REGEX MATCH "^((lib|trainers)/)?[^/]+" labels ${path})
+  if(path MATCHES "^trainers/")
+    list(APPEND labels trainers)  # all methods together, for the sanitizers
+  endif()
   set(source "${PROJECT_SOURCE_DIR}/tests/${path}.cc")
   if(EXISTS "${source}")
     file(STRINGS "${source}" uses_threads LIMIT_COUNT 1 REGEX "num_threads|std::j?thread|ParallelFor")
