@@ -21,14 +21,41 @@ constexpr float kDepthUnitM = 0.001F;
 struct Errors {
   std::size_t num_views = 0;
   std::size_t num_pixels = 0;
-  std::vector<float> errors_m;  // of the measured ones
+  std::vector<float> errors_m;           // of the measured ones
+  std::vector<float> textured_errors_m;  // of these with texture about them
 
   void Add(const Errors& other) {
     num_views += other.num_views;
     num_pixels += other.num_pixels;
     errors_m.insert(errors_m.end(), other.errors_m.begin(), other.errors_m.end());
+    textured_errors_m.insert(
+        textured_errors_m.end(), other.textured_errors_m.begin(), other.textured_errors_m.end());
   }
 };
+
+// Half the difference of the pixel's neighbours in its row, the mean of the channels; 0 at the
+// ends.
+double RowGradient(const Image& image, int u, int v) {
+  if (u < 1 || u + 1 >= image.width()) return 0.0;
+  int difference = 0;
+  for (int c = 0; c < image.channels(); ++c)
+    difference += image.At(u + 1, v, c) - image.At(u - 1, v, c);
+  return difference / (2.0 * image.channels());
+}
+
+bool IsTextured(const Image& image, int u, int v) {
+  constexpr int kRadius = 2;
+  double sum = 0.0;
+  int count = 0;
+  for (int y = std::max(v - kRadius, 0); y <= std::min(v + kRadius, image.height() - 1); ++y) {
+    for (int x = std::max(u - kRadius, 0); x <= std::min(u + kRadius, image.width() - 1); ++x) {
+      const double gradient = RowGradient(image, x, y);
+      sum += gradient * gradient;
+      ++count;
+    }
+  }
+  return sum >= kTexturedGradient * kTexturedGradient * count;
+}
 
 Errors ErrorsOf(const ViewSet& set, std::size_t index) {
   const ObjectView& item = set.items[index];
@@ -44,7 +71,8 @@ Errors ErrorsOf(const ViewSet& set, std::size_t index) {
                  .reason = "the depth has another size than its picture"});
   }
   const Eigen::Isometry3f camera_from_base = view.cloud->base_from_camera.inverse();
-  Errors errors{.num_views = 1, .num_pixels = 0, .errors_m = {}};
+  Errors errors;
+  errors.num_views = 1;
   for (std::size_t i = 0; i < depth.values().size(); ++i) {
     if (view.object_mask.values()[i] != kObject || depth.values()[i] == 0) continue;
     ++errors.num_pixels;
@@ -52,6 +80,9 @@ Errors ErrorsOf(const ViewSet& set, std::size_t index) {
     if (!IsMeasured(point)) continue;
     const float truth_m = kDepthUnitM * static_cast<float>(depth.values()[i]);
     errors.errors_m.push_back(std::abs((camera_from_base * point).z() - truth_m));
+    const int u = static_cast<int>(i) % depth.width();
+    const int v = static_cast<int>(i) / depth.width();
+    if (IsTextured(view.image, u, v)) errors.textured_errors_m.push_back(errors.errors_m.back());
   }
   return errors;
 }
@@ -69,7 +100,8 @@ CloudFigures Summarise(std::string object_class, Errors errors) {
   CloudFigures figures{.object_class = std::move(object_class),
                        .num_views = errors.num_views,
                        .num_pixels = errors.num_pixels,
-                       .num_measured = errors.errors_m.size()};
+                       .num_measured = errors.errors_m.size(),
+                       .num_textured = errors.textured_errors_m.size()};
   if (errors.errors_m.empty()) return figures;
   const auto num_beyond =
       std::count_if(errors.errors_m.begin(), errors.errors_m.end(), [](float error_m) {
@@ -79,6 +111,7 @@ CloudFigures Summarise(std::string object_class, Errors errors) {
       static_cast<double>(num_beyond) / static_cast<double>(errors.errors_m.size());
   figures.median_error_m = Percentile(errors.errors_m, 0.5);
   figures.percentile90_error_m = Percentile(errors.errors_m, 0.9);
+  figures.textured_median_error_m = Percentile(errors.textured_errors_m, 0.5);
   return figures;
 }
 

@@ -17,12 +17,19 @@ namespace handcraft::datasets {
 struct CloudFigures {
   std::string object_class;  ///< empty: of all classes
   std::size_t num_views = 0;
-  std::size_t num_pixels = 0;         ///< of objects
-  std::size_t num_measured = 0;       ///< of these
-  double median_error_m = 0.0;        ///< of the measured ones; 0 when there are none
-  double percentile90_error_m = 0.0;  ///< nine of ten errors are not larger
-  double share_beyond = 0.0;          ///< of the measured ones with errors beyond kGrossErrorM
+  std::size_t num_pixels = 0;            ///< of objects
+  std::size_t num_measured = 0;          ///< of these
+  double median_error_m = 0.0;           ///< of the measured ones; 0 when there are none
+  double percentile90_error_m = 0.0;     ///< nine of ten errors are not larger
+  double share_beyond = 0.0;             ///< of the measured ones with errors beyond kGrossErrorM
+  std::size_t num_textured = 0;          ///< of the measured ones, those with texture about them
+  double textured_median_error_m = 0.0;  ///< of these
 };
+
+/// A pixel has texture about it when over the 5 × 5 pixels around it, as far as they lie in the
+/// picture, √mean(((I(u + 1, v) − I(u − 1, v)) / 2)²) is at least so many gray levels, I the mean
+/// of the channels: along the rows is where a stereo pair's matcher finds something to hold on to.
+inline constexpr double kTexturedGradient = 3.0;
 
 /// Errors beyond it are gross: another surface was found.
 inline constexpr double kGrossErrorM = 0.02;

@@ -152,6 +152,11 @@ SourcePicture Describe(const fs::path& file, const fs::path& folder, CocoImage i
 
 SourceSet ListCoco(const fs::path& file, const CocoOptions& options) {
   options.roles.Validate();
+  if (fs::is_directory(file)) {
+    throw Error({.path = file.string(),
+                 .reason = "is a folder",
+                 .remedy = "name the JSON file of the annotations in it, often instances_*.json"});
+  }
   const JsonValue json = JsonValue::ReadFile(file);
   std::map<std::int64_t, CocoImage> images = ReadImages(json["images"]);
   const auto categories = ReadCategories(json["categories"]);

@@ -9,7 +9,10 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <string>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "datasets/importers/label_picture.h"
 #include "datasets/importers/source_tree.h"
@@ -84,6 +87,30 @@ std::map<std::string, fs::path> FindFiles(const Place& place, const Place& other
   return files;
 }
 
+// The names in a folder, a few of them, for a message.
+std::string NamesIn(const fs::path& folder) {
+  constexpr std::size_t kMostNames = 5;
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (fs::directory_iterator it(folder, ignored), end; it != end; it.increment(ignored)) {
+    names.push_back(it->path().filename().string());
+  }
+  if (names.empty()) return "nothing";
+  std::sort(names.begin(), names.end());
+  std::string text = names.front();
+  for (std::size_t i = 1; i < std::min(names.size(), kMostNames); ++i) text += ", " + names[i];
+  return names.size() > kMostNames ? text + ", …" : text;
+}
+
+void RequireFolder(const fs::path& source, const fs::path& folder) {
+  std::error_code ignored;
+  if (fs::is_directory(folder, ignored)) return;
+  throw Error({.path = source.string(),
+               .reason = "expected the folder " + folder.lexically_relative(source).string() +
+                         " in it, found " + NamesIn(source),
+               .remedy = "name the folders of pictures and masks (--images, --masks)"});
+}
+
 [[noreturn]] void FailAlone(const fs::path& file,
                             const std::string& kind,
                             const fs::path& expected) {
@@ -140,6 +167,7 @@ SourceSet ListFolders(const fs::path& source, const FoldersOptions& options) {
                  .reason = "pictures and masks have the same folder and the same suffix",
                  .remedy = "give another folder or suffix for one of them"});
   }
+  for (const Place* place : {&images, &masks}) RequireFolder(source, place->folder);
   const auto image_files = FindFiles(images, masks);
   const auto mask_files = FindFiles(masks, images);
   SourceSet set;

@@ -15,6 +15,7 @@
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 #include "lib/core/option_rules.h"
+#include "lib/core/utf8.h"
 #include "lib/perception/image_io.h"
 
 namespace handcraft::datasets {
@@ -30,6 +31,19 @@ void RefuseTwins(const std::vector<SourcePicture>& pictures, std::string SourceP
     throw Error({.path = picture.path.string(),
                  .reason = "stands for the same picture as " + twin->second->path.string(),
                  .remedy = "keep one of them"});
+  }
+}
+
+// Our lists are UTF-8, and other systems know no other names.
+void RequireUtf8Names(const std::vector<SourcePicture>& pictures) {
+  for (const SourcePicture& picture : pictures) {
+    for (const std::string* name : {&picture.image, &picture.mask}) {
+      const std::size_t good = Utf8PrefixLength(*name);
+      if (good == name->size()) continue;
+      throw Error({.path = picture.path.string(),
+                   .reason = "the name is not UTF-8 after '" + name->substr(0, good) + "'",
+                   .remedy = "rename the file"});
+    }
   }
 }
 
@@ -111,6 +125,7 @@ void PlanImport(SourceSet& source, const ImportOptions& options) {
   options.Validate();
   std::vector<SourcePicture>& pictures = source.pictures;
   HC_CHECK(!pictures.empty());
+  RequireUtf8Names(pictures);
   RefuseTwins(pictures, &SourcePicture::image);
   RefuseTwins(pictures, &SourcePicture::mask);
   NameInstances(pictures, options.instance_pattern);

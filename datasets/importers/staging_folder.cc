@@ -20,7 +20,9 @@ namespace fs = std::filesystem;
 [[noreturn]] void Fail(const fs::path& path,
                        const std::string& doing,
                        const std::error_code& error) {
-  throw Error({.path = path.string(), .reason = "cannot " + doing + ": " + error.message()});
+  throw Error({.path = path.string(),
+               .reason = "cannot " + doing + ": " + error.message(),
+               .remedy = "the folder it is to lie in must exist and be writable"});
 }
 
 void CheckIsFree(const fs::path& target) {

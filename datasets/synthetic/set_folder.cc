@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,6 +43,19 @@ void RemoveTemporaryFiles(const fs::path& folder) {
                .remedy = std::move(remedy)});
 }
 
+// "seed = 1 there, seed = 2 here": the first line that differs, or that one of them alone has.
+std::string FirstDifference(const std::string& there, std::string_view here) {
+  std::istringstream there_lines(there);
+  std::istringstream here_lines{std::string(here)};
+  std::string there_line;
+  std::string here_line;
+  do {
+    if (!std::getline(there_lines, there_line)) there_line = "nothing";
+    if (!std::getline(here_lines, here_line)) here_line = "nothing";
+  } while (there_line == here_line && there_line != "nothing");
+  return there_line + " there, " + here_line + " here";
+}
+
 void MakeOrTakeUp(const fs::path& out,
                   std::string_view parameters,
                   std::span<const std::string_view> subfolders) {
@@ -49,8 +63,11 @@ void MakeOrTakeUp(const fs::path& out,
   if (fs::exists(out) && !fs::is_directory(out))
     RefuseFolder(out, "is not a folder", "choose another name");
   if (fs::exists(file)) {
-    if (ReadTextFile(file) != parameters) {
-      RefuseFolder(file, "tells of a set made with other options", "give those, or another folder");
+    const std::string there = ReadTextFile(file);
+    if (there != parameters) {
+      RefuseFolder(file,
+                   "tells of a set made with other options: " + FirstDifference(there, parameters),
+                   "give those, or another folder");
     }
   } else if (fs::exists(out) && !fs::is_empty(out)) {
     RefuseFolder(
@@ -73,8 +90,9 @@ void PrepareSetFolder(const fs::path& out,
   try {
     MakeOrTakeUp(out, parameters, subfolders);
   } catch (const fs::filesystem_error& error) {
-    throw Error(
-        {.path = out.string(), .reason = "cannot make the folder: " + error.code().message()});
+    throw Error({.path = out.string(),
+                 .reason = "cannot make the folder: " + error.code().message(),
+                 .remedy = "the folder it is to lie in must exist and be writable"});
   }
 }
 

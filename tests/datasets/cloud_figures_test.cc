@@ -81,6 +81,31 @@ TEST_F(CompareCloudsTest, SaysNothingOfErrorsWhereNothingIsMeasured) {
   EXPECT_EQ(mug.median_error_m, 0.0);
 }
 
+TEST_F(CompareCloudsTest, TellsTexturedGroundApart) {
+  // A step between columns 4 and 5 has gradients of half its height at both; of the object's
+  // columns 0 to 3 the windows of 2 (√(20² / 5) gray levels) and of 3 (√(2 · 20² / 5)) reach it.
+  const auto write_step = [&](std::uint8_t height) {
+    Image picture(8, 6);
+    for (int v = 0; v < 6; ++v) {
+      for (int u = 5; u < 8; ++u) picture.At(u, v) = height;
+    }
+    perception::WritePng(folder_ / set_.items[0].image, picture);
+  };
+  std::vector<float> depths_m;
+  for (int nth = 1; nth < 24; ++nth) depths_m.push_back(nth % 4 < 2 ? 0.61F : 0.604F);
+  SetDepths(set_.items[0], depths_m);
+  write_step(40);
+  const CloudFigures mug = CompareClouds(set_, 1, {})[0];
+  EXPECT_EQ(mug.num_textured, 12U);
+  EXPECT_NEAR(mug.textured_median_error_m, 0.004, 1e-6);
+  EXPECT_NEAR(mug.percentile90_error_m, 0.01, 1e-6);
+
+  write_step(9);  // √(2 · 4.5² / 5) = 2.8 at column 3
+  const CloudFigures bare = CompareClouds(set_, 1, {})[0];
+  EXPECT_EQ(bare.num_textured, 0U);
+  EXPECT_EQ(bare.textured_median_error_m, 0.0);
+}
+
 TEST_F(CompareCloudsTest, NeedsCloudAndDepthOfOneSize) {
   const auto refuses = [&](const std::string& message) {
     EXPECT_THROWS_MESSAGE(CompareClouds(set_, 1, {}), Error, HasSubstr(message));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <cstddef>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -26,9 +27,16 @@ struct DataCloudsOptions {
   bool json = false;
 };
 
+double ShareOf(std::size_t part, std::size_t all) {
+  return all == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(all);
+}
+
 double ShareMeasured(const CloudFigures& figures) {
-  if (figures.num_pixels == 0) return 0.0;
-  return static_cast<double>(figures.num_measured) / static_cast<double>(figures.num_pixels);
+  return ShareOf(figures.num_measured, figures.num_pixels);
+}
+
+double ShareTextured(const CloudFigures& figures) {
+  return ShareOf(figures.num_textured, figures.num_measured);
 }
 
 nlohmann::ordered_json ToJson(const CloudFigures& figures) {
@@ -37,7 +45,9 @@ nlohmann::ordered_json ToJson(const CloudFigures& figures) {
           {"share_measured", ShareMeasured(figures)},
           {"median_error_m", figures.median_error_m},
           {"percentile90_error_m", figures.percentile90_error_m},
-          {"share_beyond_20_mm", figures.share_beyond}};
+          {"share_beyond_20_mm", figures.share_beyond},
+          {"share_textured", ShareTextured(figures)},
+          {"textured_median_error_m", figures.textured_median_error_m}};
 }
 
 void PrintJson(const Console& console,
@@ -52,18 +62,30 @@ void PrintJson(const Console& console,
 }
 
 void PrintTable(const Console& console, const std::vector<CloudFigures>& figures) {
-  TextTable table({"class", "views", "measured", "median", "90 % within", "beyond 20 mm"});
+  TextTable table({"class",
+                   "views",
+                   "measured",
+                   "median",
+                   "90 % within",
+                   "beyond 20 mm",
+                   "textured",
+                   "median there"});
   for (const CloudFigures& row : figures) {
     const bool has_errors = row.num_measured > 0;
     const auto unless_none = [&](const std::string& text) {
       return has_errors ? text : std::string("-");
     };
+    const std::string median_there =
+        row.num_textured == 0 ? "-"
+                              : fmt::format("{:.1f} mm", 1000.0 * row.textured_median_error_m);
     table.AddRow({row.object_class.empty() ? "all" : row.object_class,
                   std::to_string(row.num_views),
                   fmt::format("{:.1f} %", 100.0 * ShareMeasured(row)),
                   unless_none(fmt::format("{:.1f} mm", 1000.0 * row.median_error_m)),
                   unless_none(fmt::format("{:.1f} mm", 1000.0 * row.percentile90_error_m)),
-                  unless_none(fmt::format("{:.1f} %", 100.0 * row.share_beyond))});
+                  unless_none(fmt::format("{:.1f} %", 100.0 * row.share_beyond)),
+                  unless_none(fmt::format("{:.1f} %", 100.0 * ShareTextured(row))),
+                  median_there});
   }
   console.out << table.ToText();
 }
@@ -90,7 +112,7 @@ void AddDataClouds(CLI::App& parent, const Console& console) {
   command->add_option("DIR", options->folder, "Folder with views.csv")->required();
   AddThreadsOption(*command, options->num_threads);
   AddJsonFlag(*command, options->json);
-  SetExample(*command, "handcraft data clouds out/turntable");
+  SetExample(*command, "handcraft data clouds turntable");
   command->callback([options, &console] { RunDataClouds(*options, console); });
 }
 

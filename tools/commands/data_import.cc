@@ -1,15 +1,18 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <filesystem>
 #include <memory>
 #include <ostream>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "datasets/importers/image_set_import.h"
 #include "datasets/importers/view_set_import.h"
+#include "lib/core/error.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "tools/import_formats.h"
@@ -69,8 +72,17 @@ void TellOf(const Set& set,
   }
 }
 
+void RequireThere(const std::filesystem::path& source) {
+  std::error_code ignored;
+  if (std::filesystem::exists(source, ignored)) return;
+  throw Error({.path = source.string(),
+               .reason = "no such file or folder",
+               .remedy = "check the path of the data set to import"});
+}
+
 void RunDataImport(const DataImportOptions& options, const Console& console) {
   options.import.Validate();
+  RequireThere(options.source);
   datasets::SourceSet source = options.list(options.source);
   ProgressBar bar(console);
   datasets::ImportOptions import = options.import;

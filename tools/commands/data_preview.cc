@@ -98,6 +98,12 @@ Image DrawSheet(const DataPreviewOptions& options,
 
 void RunDataPreview(const DataPreviewOptions& options, const Console& console) {
   RequireWritable(options.out);
+  if (fs::path(options.out).extension() != ".png") {
+    throw Error({.kind = Error::Kind::kUsage,
+                 .path = options.out,
+                 .reason = "--out: the sheet is written as PNG",
+                 .remedy = "name a file that ends in .png"});
+  }
   const std::unique_ptr<Gallery> gallery = OpenGallery(options);
   RequireNotAnInput(options.out, gallery->Files());
   const std::vector<datasets::SheetPicture> pictures =
@@ -131,7 +137,8 @@ void AddPoseOptions(CLI::App& command, DataPreviewOptions& options) {
       ->needs(poses);
 }
 
-void AddPageOptions(CLI::App& command, DataPreviewOptions& options) {
+// The option that asks for a page.
+CLI::Option* AddPageOptions(CLI::App& command, DataPreviewOptions& options) {
   using datasets::PageOptions;
   CLI::Option* page = AddNumber(command,
                                 "--page",
@@ -143,6 +150,7 @@ void AddPageOptions(CLI::App& command, DataPreviewOptions& options) {
       ->needs(page);
   AddNumber(command, "--rows", options.page, &PageOptions::rows, "Pictures down a page")
       ->needs(page);
+  return page;
 }
 
 }  // namespace
@@ -163,8 +171,8 @@ void AddDataPreview(CLI::App& parent, const Console& console) {
             "--images-per-class",
             options->overview,
             &datasets::OverviewOptions::images_per_class,
-            "At most this many of each class, evenly spread over it");
-  AddPageOptions(*command, *options);
+            "At most this many of each class, evenly spread over it")
+      ->excludes(AddPageOptions(*command, *options));
   AddNumber(*command,
             "--tile-width",
             options->tile_width_px,
@@ -174,7 +182,7 @@ void AddDataPreview(CLI::App& parent, const Console& console) {
   AddPoseOptions(*command, *options);
   AddThreadsOption(*command, options->page.num_threads);
   AddJsonFlag(*command, options->json);
-  SetExample(*command, "handcraft data preview datasets/samples/cornell_mini --out out/sheet.png");
+  SetExample(*command, "handcraft data preview datasets/samples/cornell_mini --out sheet.png");
   command->callback([options, &console] { RunDataPreview(*options, console); });
 }
 

@@ -126,7 +126,7 @@ void AddDataSynthDemonstrations(CLI::App& parent, const Console& console) {
   AddThreadsOption(*command, options->set.views.num_threads);
   AddJsonFlag(*command, options->json);
   SetExample(*command,
-             "handcraft data synth demonstrations --out out/shown --views 1 --sensor depth-camera");
+             "handcraft data synth demonstrations --out shown --views 1 --sensor depth-camera");
   command->callback([options, &console] { RunDemonstrations(*options, console); });
 }
 

@@ -87,7 +87,7 @@ void AddDataSynthGraspPoints(CLI::App& parent, const Console& console) {
   AddSeedOption(*command, options->set.seed);
   AddThreadsOption(*command, options->set.num_threads);
   AddJsonFlag(*command, options->json);
-  SetExample(*command, "handcraft data synth grasp-points --out out/made --images 9");
+  SetExample(*command, "handcraft data synth grasp-points --out made --images 9");
   command->callback([options, &console] { RunGraspPoints(*options, console); });
 }
 

@@ -82,7 +82,7 @@ void AddDataSynthRegrasp(CLI::App& parent, const Console& console) {
   AddThreadsOption(*command, options->set.num_threads);
   AddJsonFlag(*command, options->json);
   SetExample(*command,
-             "handcraft data synth regrasp --out out/regrasp --configurations 1 --sensor "
+             "handcraft data synth regrasp --out regrasp --configurations 1 --sensor "
              "depth-camera");
   command->callback([options, &console] { RunRegrasp(*options, console); });
 }

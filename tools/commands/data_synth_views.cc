@@ -88,7 +88,7 @@ void AddDataSynthTurntable(CLI::App& parent, const Console& console) {
   CLI::App* command = parent.add_subcommand(
       "turntable", "Views of objects that are turned by equal steps, with measured clouds");
   AddViews(*command, *options);
-  SetExample(*command, "handcraft data synth turntable --out out/turntable --views 2");
+  SetExample(*command, "handcraft data synth turntable --out turntable --views 2");
   command->callback([options, &console] { RunViews(*options, console); });
 }
 
@@ -99,7 +99,7 @@ void AddDataSynthMoved(CLI::App& parent, const Console& console) {
   CLI::App* command = parent.add_subcommand(
       "moved", "Views of the same objects in random places, turned and scaled, with clouds");
   AddViews(*command, *options);
-  SetExample(*command, "handcraft data synth moved --out out/moved --views 2");
+  SetExample(*command, "handcraft data synth moved --out moved --views 2");
   command->callback([options, &console] { RunViews(*options, console); });
 }
 

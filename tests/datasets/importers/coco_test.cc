@@ -173,6 +173,12 @@ TEST_F(ListCocoTest, RefusesRolesThatNoCategoryHas) {
               HasSubstr("nothing is labelled 'handle'; there are: 'blade', 'good'"));
 }
 
+TEST_F(ListCocoTest, RefusesAFolder) {
+  EXPECT_THROWS_MESSAGE(ListCoco(file_.parent_path(), {}),
+                        Error,
+                        HasSubstr("is a folder (name the JSON file of the annotations"));
+}
+
 TEST_F(ListCocoTest, RefusesATruncatedFile) {
   const std::string text = Annotations().dump();
   for (const std::size_t size :

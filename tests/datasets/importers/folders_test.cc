@@ -98,9 +98,14 @@ TEST_F(ListFoldersTest, WantsAPartnerForEachFile) {
 }
 
 TEST_F(ListFoldersTest, SaysWhatWasExpectedAndFound) {
-  EXPECT_THROWS_MESSAGE(
-      ListFolders(tree_, {}), Error, HasSubstr("images/: cannot read the folder"));
+  const auto refuses = [&](const std::string& message) {
+    EXPECT_THROWS_MESSAGE(ListFolders(tree_, {}), Error, HasSubstr(message));
+  };
+  refuses(tree_.string() + ": expected the folder images/ in it, found nothing (name the folders");
   fs::create_directories(tree_ / "images");
+  refuses("expected the folder masks/ in it, found images (name the folders");
+  for (const char* name : {"a", "b", "c", "d", "e"}) fs::create_directories(tree_ / name);
+  refuses("expected the folder masks/ in it, found a, b, c, d, e, … (name the folders");
   fs::create_directories(tree_ / "masks");
   WriteText("images/notes.txt", "");
   EXPECT_THROWS_MESSAGE(ListFolders(tree_, {}),

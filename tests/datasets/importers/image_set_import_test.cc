@@ -169,8 +169,7 @@ TEST(ImportPictures, WritesEmbeddedPictures) {
 
 TEST(ImportPictures, TakesUnusualNames) {
   const TemporaryDirectory folder;
-  const std::vector<std::string> names = {
-      "a b", "comma,name", "line\nend", "quote\"d", "ü", "\xFF not UTF-8"};
+  const std::vector<std::string> names = {"a b", "comma,name", "line\nend", "quote\"d", "ü"};
   ImportPictures(MakeSource(folder.path(), names), folder / "out", {.test_share = 0.0});
   const LabelledImageSet set = ReadLabelledImageSet(folder / "out");
   EXPECT_EQ(InstancesOf(set, "train"), names);

@@ -52,6 +52,13 @@ TEST(PlanImport, RefusesTwins) {
       PlanImport(source, {}), Error, HasSubstr("b: stands for the same picture as a"));
 }
 
+TEST(PlanImport, RefusesNamesThatAreNotUtf8) {
+  SourceSet source = Numbered(2);
+  source.pictures[1].image = "z\xff.png";
+  EXPECT_THROWS_MESSAGE(
+      PlanImport(source, {}), Error, HasSubstr("b: the name is not UTF-8 after 'z' (rename"));
+}
+
 TEST(ImportOptions, NamesTheFieldAtFault) {
   const std::map<std::string, ImportOptions> cases = {
       {"test_share is 1; it must be in [0, 1)", {.test_share = 1.0}},

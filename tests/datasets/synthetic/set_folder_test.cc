@@ -53,7 +53,9 @@ TEST(PrepareSetFolder, RefusesWhatIsNotItsOwn) {
         PrepareSetFolder(folder / name, "seed = 2\n", kFolders), Error, HasSubstr(message));
   };
   PrepareSetFolder(folder / "set", "seed = 1\n", kFolders);
-  refuses("set", "dataset.toml: tells of a set made with other options (give those");
+  refuses(
+      "set",
+      "dataset.toml: tells of a set made with other options: seed = 1 there, seed = 2 here (give");
   EXPECT_EQ(ReadTextFile(folder / "set/dataset.toml"), "seed = 1\n");
   WriteFileAtomically(folder / "file", "");
   refuses("file", "file: is not a folder");
@@ -61,6 +63,8 @@ TEST(PrepareSetFolder, RefusesWhatIsNotItsOwn) {
   WriteFileAtomically(folder / "others/mine", "precious");
   refuses("others", "others: is there already and is not an empty folder");
   refuses("no/set", "cannot make the folder: No such file");
+  PrepareSetFolder(folder / "longer", "seed = 2\nviews = 3\n", kFolders);
+  refuses("longer", "other options: views = 3 there, nothing here");
   EXPECT_FALSE(fs::exists(folder / "others/images"));
 }
 

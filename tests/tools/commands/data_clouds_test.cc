@@ -44,10 +44,10 @@ TEST_F(DataClouds, PrintsATableByClass) {
   const Outcome outcome = RunLine("data clouds " + folder_.path().string());
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.out,
-            "class  views  measured  median  90 % within  beyond 20 mm\n"
-            "mug        1    95.8 %  5.0 mm       5.0 mm         0.0 %\n"
-            "can        1   100.0 %  5.0 mm       5.0 mm         0.0 %\n"
-            "all        2    97.9 %  5.0 mm       5.0 mm         0.0 %\n");
+            "class  views  measured  median  90 % within  beyond 20 mm  textured  median there\n"
+            "mug        1    95.8 %  5.0 mm       5.0 mm         0.0 %   100.0 %        5.0 mm\n"
+            "can        1   100.0 %  5.0 mm       5.0 mm         0.0 %   100.0 %        5.0 mm\n"
+            "all        2    97.9 %  5.0 mm       5.0 mm         0.0 %   100.0 %        5.0 mm\n");
 }
 
 TEST_F(DataClouds, PrintsJson) {
@@ -58,6 +58,8 @@ TEST_F(DataClouds, PrintsJson) {
   EXPECT_NEAR(json["classes"]["mug"]["share_measured"], 23.0 / 24.0, 1e-9);
   EXPECT_NEAR(json["classes"]["can"]["median_error_m"], 0.005, 1e-6);
   EXPECT_EQ(json["classes"]["can"]["share_beyond_20_mm"], 0.0);
+  EXPECT_EQ(json["classes"]["can"]["share_textured"], 1.0);
+  EXPECT_NEAR(json["classes"]["can"]["textured_median_error_m"], 0.005, 1e-6);
 }
 
 TEST_F(DataClouds, RefusesAFolderWithoutViews) {

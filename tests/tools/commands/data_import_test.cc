@@ -79,5 +79,14 @@ TEST_F(DataImport, LeavesNothingOnFailure) {
   EXPECT_EQ(NumEntries(folder_.path()), 0U);
 }
 
+TEST_F(DataImport, SaysThatTheSourceIsNotThere) {
+  for (const char* format : {"folders", "cvat", "coco", "bop"}) {
+    const Outcome outcome = RunLine(std::string("data import ") + format + " no/such --out " +
+                                    (folder_ / "x").string());
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_THAT(outcome.err, HasSubstr("no/such: no such file or folder")) << format;
+  }
+}
+
 }  // namespace
 }  // namespace handcraft::tools

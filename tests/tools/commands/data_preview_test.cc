@@ -91,6 +91,11 @@ TEST(DataPreview, RefusesToOverwriteItsInput) {
 }
 
 TEST(DataPreview, NamesWhatIsWrong) {
+  const Outcome other_kind = RunLine("data preview " + kSample + " --out x.jpg");
+  EXPECT_EQ(other_kind.code, 2);
+  EXPECT_THAT(other_kind.err, HasSubstr("x.jpg: --out: the sheet is written as PNG"));
+  EXPECT_THAT(RunLine("data preview " + kSample + " --out x.png --page 1 --images-per-class 3").err,
+              HasSubstr("--images-per-class excludes --page"));
   EXPECT_THAT(RunLine("data preview no/such --out sheet.png").err, HasSubstr("no/such"));
   EXPECT_EQ(RunLine("data preview " + kSample + " --out no/folder/sheet.png").code, 3);
   EXPECT_THAT(RunLine("data preview " + kSample + " --out x.png --page 9").err,
