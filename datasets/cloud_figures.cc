@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "datasets/formats/listing_rules.h"
 #include "datasets/parallel_reporting.h"
 #include "lib/core/error.h"
 #include "lib/perception/image_io.h"
@@ -59,17 +60,14 @@ bool IsTextured(const Image& image, int u, int v) {
 
 Errors ErrorsOf(const ViewSet& set, std::size_t index) {
   const ObjectView& item = set.items[index];
-  const std::string list = (set.root / "views.csv").string();
+  const std::string list = (set.root / kViewsFileName).string();
   if (item.cloud.empty())
     throw Error({.path = list, .reason = "'" + item.image + "' has no cloud"});
   if (item.depth.empty())
     throw Error({.path = list, .reason = "'" + item.image + "' has no true depth"});
   const LoadedView view = ReadView(set, index);
   const BasicImage<std::uint16_t> depth = perception::ReadImage16(set.root / item.depth);
-  if (depth.width() != view.cloud->width || depth.height() != view.cloud->height) {
-    throw Error({.path = (set.root / item.depth).string(),
-                 .reason = "the depth has another size than its picture"});
-  }
+  RequireSameSize(set.root / item.depth, "the depth", SizeOf(depth), SizeOf(view.image));
   const Eigen::Isometry3f camera_from_base = view.cloud->base_from_camera.inverse();
   Errors errors;
   errors.num_views = 1;

@@ -25,7 +25,8 @@ namespace {
 using Group = std::vector<std::size_t>;
 
 // The groups in the order in which they are given away.
-std::vector<Group> OrderGroups(const LabelledImageSet& set, const SplitOptions& options) {
+template <class Set>
+std::vector<Group> OrderGroups(const Set& set, const SplitOptions& options) {
   std::vector<std::size_t> by_name(set.items.size());
   std::iota(by_name.begin(), by_name.end(), std::size_t{0});
   std::sort(by_name.begin(), by_name.end(), [&](std::size_t a, std::size_t b) {
@@ -33,7 +34,7 @@ std::vector<Group> OrderGroups(const LabelledImageSet& set, const SplitOptions& 
   });
   std::map<std::string, Group> groups;
   for (const std::size_t i : by_name) {
-    const LabelledImage& item = set.items[i];
+    const auto& item = set.items[i];
     groups[options.group == SplitGroup::kInstance ? item.instance : item.object_class].push_back(i);
   }
   std::map<std::string, std::vector<Group>> by_class;
@@ -51,25 +52,8 @@ std::vector<Group> OrderGroups(const LabelledImageSet& set, const SplitOptions& 
   return ordered;
 }
 
-}  // namespace
-
-void SplitOptions::Validate() const {
-  RequireOption(!shares.empty(), "SplitOptions.shares", shares.size(), "1 or more splits");
-  std::set<std::string> names;
-  double sum = 0.0;
-  for (const auto& [name, share] : shares) {
-    if (name.empty() || !names.insert(name).second) {
-      throw Error({.kind = Error::Kind::kUsage,
-                   .reason = name.empty() ? "a split without a name"
-                                          : "the split '" + name + "' is named twice"});
-    }
-    RequireOption(share > 0.0 && share <= 1.0, "the share of '" + name + "'", share, "in (0, 1]");
-    sum += share;
-  }
-  RequireOption(std::abs(sum - 1.0) <= 1e-6, "the sum of all shares", sum, "1");
-}
-
-void AssignSplits(LabelledImageSet& set, const SplitOptions& options) {
+template <class Set>
+void Divide(Set& set, const SplitOptions& options) {
   options.Validate();
   const std::size_t num_splits = options.shares.size();
   std::vector<double> given(num_splits, 0.0);
@@ -98,5 +82,27 @@ void AssignSplits(LabelledImageSet& set, const SplitOptions& options) {
                  .remedy = "name fewer splits, or give this one a greater share"});
   }
 }
+
+}  // namespace
+
+void SplitOptions::Validate() const {
+  RequireOption(!shares.empty(), "SplitOptions.shares", shares.size(), "1 or more splits");
+  std::set<std::string> names;
+  double sum = 0.0;
+  for (const auto& [name, share] : shares) {
+    if (name.empty() || !names.insert(name).second) {
+      throw Error({.kind = Error::Kind::kUsage,
+                   .reason = name.empty() ? "a split without a name"
+                                          : "the split '" + name + "' is named twice"});
+    }
+    RequireOption(share > 0.0 && share <= 1.0, "the share of '" + name + "'", share, "in (0, 1]");
+    sum += share;
+  }
+  RequireOption(std::abs(sum - 1.0) <= 1e-6, "the sum of all shares", sum, "1");
+}
+
+void AssignSplits(LabelledImageSet& set, const SplitOptions& options) { Divide(set, options); }
+
+void AssignSplits(ViewSet& set, const SplitOptions& options) { Divide(set, options); }
 
 }  // namespace handcraft::datasets

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "datasets/formats/labelled_image_set.h"
+#include "datasets/formats/view_set.h"
 
 namespace handcraft::datasets {
 
@@ -40,5 +41,6 @@ struct SplitOptions {
 /// in several classes counts to that of its first picture. Throws Error when a split would be left
 /// without pictures. Same set, options and seed, same splits, whatever the order of the manifest.
 void AssignSplits(LabelledImageSet& set, const SplitOptions& options);
+void AssignSplits(ViewSet& set, const SplitOptions& options);
 
 }  // namespace handcraft::datasets

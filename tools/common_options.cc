@@ -8,6 +8,7 @@
 #include <ostream>
 #include <string_view>
 
+#include "datasets/formats/listing_rules.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 #include "lib/core/parallel.h"
@@ -92,10 +93,22 @@ void RequireWritable(const std::filesystem::path& path) {
 }
 
 std::vector<std::filesystem::path> FilesOf(const datasets::LabelledImageSet& set) {
-  std::vector<std::filesystem::path> files = {set.root / "manifest.csv"};
+  std::vector<std::filesystem::path> files = {set.root / datasets::kManifestFileName};
   for (const datasets::LabelledImage& item : set.items) {
     files.push_back(set.root / item.image);
     files.push_back(set.root / item.mask);
+  }
+  return files;
+}
+
+std::vector<std::filesystem::path> FilesOf(const datasets::ViewSet& set) {
+  std::vector<std::filesystem::path> files = {set.root / datasets::kViewsFileName,
+                                              set.root / datasets::kDemonstrationsFileName,
+                                              set.root / datasets::kHoldsFileName};
+  for (const datasets::ObjectView& view : set.items) {
+    for (const std::string* path : {&view.image, &view.object_mask, &view.cloud, &view.depth}) {
+      if (!path->empty()) files.push_back(set.root / *path);
+    }
   }
   return files;
 }

@@ -12,6 +12,7 @@
 #include <CLI/App.hpp>
 
 #include "datasets/formats/labelled_image_set.h"
+#include "datasets/formats/view_set.h"
 #include "tools/console.h"
 
 namespace handcraft::tools {
@@ -48,6 +49,9 @@ void RequireWritable(const std::filesystem::path& path);
 
 /// The files of a labelled image set: manifest, pictures and masks.
 [[nodiscard]] std::vector<std::filesystem::path> FilesOf(const datasets::LabelledImageSet& set);
+
+/// Its list, pictures, object masks, clouds and depths, and the lists that may stand beside it.
+[[nodiscard]] std::vector<std::filesystem::path> FilesOf(const datasets::ViewSet& set);
 
 /// Throws Error(kUsage) when `output` is one of the files `inputs`, by whatever name. An empty path
 /// and "-" pass.

@@ -99,4 +99,6 @@ std::string CsvField(std::string_view text) {
   return quoted + '"';
 }
 
+std::string Quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+
 }  // namespace handcraft::datasets

@@ -51,4 +51,7 @@ class CsvRecords {
 /// A field as it is written into a CSV file: quoted when it must be.
 [[nodiscard]] std::string CsvField(std::string_view text);
 
+/// A field as messages show it: 'text'.
+[[nodiscard]] std::string Quoted(std::string_view text);
+
 }  // namespace handcraft::datasets

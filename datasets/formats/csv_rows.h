@@ -44,6 +44,9 @@ class CsvRows {
   /// and column when it is empty, no number or not finite.
   [[nodiscard]] double Number(std::size_t column) const;
 
+  /// The records that the rows are made of, at this row.
+  [[nodiscard]] const CsvRecords& records() const noexcept { return records_; }
+
   /// The line the row began on, 1-based.
   [[nodiscard]] std::size_t line() const noexcept { return records_.line(); }
 

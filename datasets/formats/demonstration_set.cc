@@ -3,23 +3,21 @@
 
 #include "datasets/formats/demonstration_set.h"
 
-#include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "datasets/formats/csv_rows.h"
+#include "datasets/formats/listing_rules.h"
 #include "datasets/formats/named_views.h"
+#include "datasets/formats/set_fingerprint.h"
 #include "lib/core/error.h"
-#include "lib/core/fields.h"
 #include "lib/core/file.h"
-#include "lib/core/sha256.h"
 
 namespace handcraft::datasets {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view kFileName = "demonstrations.csv";
 
 enum Column : std::size_t { kClass, kInstance, kView, kAngle, kFrameName, kEndEffectorName, kPose };
 constexpr std::array<std::string_view, 13> kColumns = {"class",
@@ -35,15 +33,6 @@ constexpr std::array<std::string_view, 13> kColumns = {"class",
                                                        kPoseColumns[4],
                                                        kPoseColumns[5],
                                                        kPoseColumns[6]};
-
-std::string AngleText(const std::optional<double>& angle_deg) {
-  return angle_deg ? NumberToText(*angle_deg) : "";
-}
-
-std::optional<double> ReadAngle(const CsvRows& rows, std::size_t column) {
-  if (rows.Text(column).empty()) return std::nullopt;
-  return rows.Number(column);
-}
 
 Demonstration ReadRow(const CsvRows& rows, const NamedViews& views) {
   Demonstration item{.object_class = std::string(rows.Required(kClass)),
@@ -74,7 +63,7 @@ std::string RowText(const Demonstration& item) {
 }  // namespace
 
 DemonstrationSet ReadDemonstrationSet(const fs::path& root) {
-  const fs::path path = root / kFileName;
+  const fs::path path = root / kDemonstrationsFileName;
   if (fs::is_directory(root) && !fs::exists(path)) {
     throw Error({.path = root.string(),
                  .reason = "no demonstrations.csv in this folder: not a demonstration set",
@@ -88,6 +77,17 @@ DemonstrationSet ReadDemonstrationSet(const fs::path& root) {
   return set;
 }
 
+RowFindings CheckDemonstrations(const fs::path& root) {
+  RowFindings findings;
+  CollectFaults(root, findings.faults, [&] {
+    CsvRows rows(root / kDemonstrationsFileName, kColumns);
+    const NamedViews views(root);
+    FindRowFaults(
+        rows, root, [&] { return RowText(ReadRow(rows, views)); }, findings);
+  });
+  return findings;
+}
+
 void WriteDemonstrations(const DemonstrationSet& set) {
   std::string text;
   for (const std::string_view column : kColumns) {
@@ -95,17 +95,14 @@ void WriteDemonstrations(const DemonstrationSet& set) {
   }
   text += '\n';
   for (const Demonstration& item : set.items) text += RowText(item);
-  WriteFileAtomically(set.root / kFileName, text);
+  WriteFileAtomically(set.root / kDemonstrationsFileName, text);
 }
 
 std::string Fingerprint(const DemonstrationSet& set) {
   std::vector<std::string> lines;
   lines.reserve(set.items.size());
   for (const Demonstration& item : set.items) lines.push_back(RowText(item));
-  std::sort(lines.begin(), lines.end());
-  Sha256 hash;
-  for (const std::string& line : lines) hash.Update(line);
-  return hash.HexDigest();
+  return FingerprintOf(std::move(lines));
 }
 
 }  // namespace handcraft::datasets

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "datasets/formats/fault.h"
 #include "datasets/formats/pose_columns.h"
 
 namespace handcraft::datasets {
@@ -34,6 +35,10 @@ struct DemonstrationSet {
 /// views.csv with the same class, instance and angle. Throws Error with path and line. Neither
 /// pictures nor clouds are opened.
 [[nodiscard]] DemonstrationSet ReadDemonstrationSet(const std::filesystem::path& root);
+
+/// Each row that ReadDemonstrationSet would refuse and each that is there twice, with their lines,
+/// in the order of the file (FindRowFaults).
+[[nodiscard]] RowFindings CheckDemonstrations(const std::filesystem::path& root);
 
 /// Writes root/demonstrations.csv; numbers come back as they are. Throws Error when it cannot.
 void WriteDemonstrations(const DemonstrationSet& set);

@@ -3,22 +3,21 @@
 
 #include "datasets/formats/hold_set.h"
 
-#include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "datasets/formats/csv_rows.h"
+#include "datasets/formats/listing_rules.h"
 #include "datasets/formats/named_views.h"
+#include "datasets/formats/set_fingerprint.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
-#include "lib/core/sha256.h"
 
 namespace handcraft::datasets {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view kFileName = "holds.csv";
 
 enum Column : std::size_t { kClass, kInstance, kView, kFrameName, kRight = 5, kLeft = 12 };
 constexpr std::array<std::string_view, 19> kColumns = {"class",
@@ -66,13 +65,24 @@ std::string RowText(const Hold& item) {
 }  // namespace
 
 HoldSet ReadHoldSet(const fs::path& root) {
-  const fs::path path = root / kFileName;
+  const fs::path path = root / kHoldsFileName;
   CsvRows rows(path, kColumns);
   const NamedViews views(root);
   HoldSet set{.root = root, .items = {}};
   while (rows.Next()) set.items.push_back(ReadRow(rows, views));
   if (set.items.empty()) throw Error({.path = path.string(), .reason = "no hold is listed"});
   return set;
+}
+
+RowFindings CheckHolds(const fs::path& root) {
+  RowFindings findings;
+  CollectFaults(root, findings.faults, [&] {
+    CsvRows rows(root / kHoldsFileName, kColumns);
+    const NamedViews views(root);
+    FindRowFaults(
+        rows, root, [&] { return RowText(ReadRow(rows, views)); }, findings);
+  });
+  return findings;
 }
 
 void WriteHolds(const HoldSet& set) {
@@ -82,17 +92,14 @@ void WriteHolds(const HoldSet& set) {
   }
   text += '\n';
   for (const Hold& item : set.items) text += RowText(item);
-  WriteFileAtomically(set.root / kFileName, text);
+  WriteFileAtomically(set.root / kHoldsFileName, text);
 }
 
 std::string Fingerprint(const HoldSet& set) {
   std::vector<std::string> lines;
   lines.reserve(set.items.size());
   for (const Hold& item : set.items) lines.push_back(RowText(item));
-  std::sort(lines.begin(), lines.end());
-  Sha256 hash;
-  for (const std::string& line : lines) hash.Update(line);
-  return hash.HexDigest();
+  return FingerprintOf(std::move(lines));
 }
 
 }  // namespace handcraft::datasets

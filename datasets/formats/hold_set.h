@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "datasets/formats/fault.h"
 #include "datasets/formats/pose_columns.h"
 
 namespace handcraft::datasets {
@@ -30,6 +31,10 @@ struct HoldSet {
 /// Reads and checks the holds as ReadDemonstrationSet does demonstrations. Throws Error with path
 /// and line.
 [[nodiscard]] HoldSet ReadHoldSet(const std::filesystem::path& root);
+
+/// Each row that ReadHoldSet would refuse and each that is there twice, with their lines, in the
+/// order of the file (FindRowFaults).
+[[nodiscard]] RowFindings CheckHolds(const std::filesystem::path& root);
 
 /// Writes root/holds.csv; numbers come back as they are. Throws Error when it cannot.
 void WriteHolds(const HoldSet& set);

@@ -5,24 +5,23 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <set>
 #include <string_view>
 #include <utility>
 
 #include "datasets/formats/csv_records.h"
+#include "datasets/formats/listing_rules.h"
+#include "datasets/formats/mask_picture.h"
+#include "datasets/formats/set_fingerprint.h"
 #include "lib/core/check.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
-#include "lib/core/sha256.h"
 #include "lib/perception/image_io.h"
 
 namespace handcraft::datasets {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view kManifestName = "manifest.csv";
 
 struct Column {
   std::string_view name;
@@ -35,8 +34,8 @@ constexpr std::array<Column, 6> kColumns = {{{"image", &LabelledImage::image, fa
                                              {"instance", &LabelledImage::instance, false},
                                              {"split", &LabelledImage::split, false},
                                              {"licence", &LabelledImage::licence, true}}};
-
-std::string Quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+constexpr std::array<MaskValue, 3> kMaskValues = {
+    {{kMaskGood, "good"}, {kMaskBad, "bad"}, {kMaskDontCare, "don't care"}}};
 
 // The header line, each name once, with all that must be there.
 std::vector<std::string> ReadHeader(const CsvRecords& records,
@@ -55,40 +54,6 @@ std::vector<std::string> ReadHeader(const CsvRecords& records,
   return {fields.begin(), fields.end()};
 }
 
-void CheckPath(const CsvRecords& records, std::string_view column, const std::string& text) {
-  const fs::path path(text);
-  const bool climbs = std::find(path.begin(), path.end(), "..") != path.end();
-  if (path.is_absolute() || climbs || text.find('\0') != std::string::npos) {
-    records.Fail("the " + std::string(column) + " " + Quoted(text) + " lies outside the folder",
-                 "give a path below the folder of the manifest");
-  }
-}
-
-// What may not come twice, with the line it came on first.
-class SeenBefore {
- public:
-  void Check(const CsvRecords& records, const LabelledImage& item) {
-    const std::string image = fs::path(item.image).lexically_normal().string();
-    const auto [known_image, is_new] = line_of_image_.try_emplace(image, records.line());
-    if (!is_new) {
-      records.Fail("the image " + Quoted(item.image) + " stands on line " +
-                   std::to_string(known_image->second) + " already");
-    }
-    const auto [known, is_new_instance] =
-        split_of_instance_.try_emplace(item.instance, item.split, records.line());
-    const auto& [split, line] = known->second;
-    if (!is_new_instance && split != item.split) {
-      records.Fail("instance " + Quoted(item.instance) + " is in split " + Quoted(item.split) +
-                       " here and in " + Quoted(split) + " on line " + std::to_string(line),
-                   "keep all pictures of an object in one split");
-    }
-  }
-
- private:
-  std::map<std::string, std::size_t> line_of_image_;
-  std::map<std::string, std::pair<std::string, std::size_t>> split_of_instance_;
-};
-
 LabelledImage ReadRow(const CsvRecords& records,
                       const std::vector<std::string>& header,
                       const std::vector<std::string_view>& fields) {
@@ -104,9 +69,10 @@ LabelledImage ReadRow(const CsvRecords& records,
     if (fields[i].empty() && !column->may_be_empty) records.Fail("no " + header[i] + " given");
     item.*column->field = std::string(fields[i]);
   }
-  CheckPath(records, "image", item.image);
-  CheckPath(records, "mask", item.mask);
-  for (const std::string_view name : kCompanions) CheckPath(records, name, item.Companion(name));
+  CheckLiesInFolder(records, "image", item.image);
+  CheckLiesInFolder(records, "mask", item.mask);
+  for (const std::string_view name : kCompanions)
+    CheckLiesInFolder(records, name, item.Companion(name));
   return item;
 }
 
@@ -123,32 +89,6 @@ std::vector<std::string> OtherColumns(const LabelledImageSet& set) {
   columns.insert(columns.end(), names.begin(), names.end());
   return columns;
 }
-
-void CheckSameSize(const LabelledPicture& picture, const fs::path& mask_path) {
-  const auto size = [](const Image& image) {
-    return std::to_string(image.width()) + "x" + std::to_string(image.height());
-  };
-  if (size(picture.image) == size(picture.mask)) return;
-  throw Error({.path = mask_path.string(),
-               .reason = "the mask is " + size(picture.mask) + " pixels, its picture " +
-                         size(picture.image)});
-}
-
-void CheckMaskValues(const Image& mask, const fs::path& path) {
-  for (int v = 0; v < mask.height(); ++v) {
-    for (int u = 0; u < mask.width(); ++u) {
-      const std::uint8_t value = mask.At(u, v);
-      if (value == kMaskGood || value == kMaskBad || value == kMaskDontCare) continue;
-      throw Error({.path = path.string(),
-                   .reason = "value " + std::to_string(value) + " at column " + std::to_string(u) +
-                             ", row " + std::to_string(v) +
-                             "; 255 (good), 0 (bad) or 128 (don't care) is due",
-                   .remedy = "save the mask without smoothing, as PNG"});
-    }
-  }
-}
-
-std::string FileDigest(const fs::path& path) { return Sha256Hex(ReadFile(path)); }
 
 }  // namespace
 
@@ -176,7 +116,7 @@ LabelledImageSet LabelledImageSet::Only(const std::string& split) const {
 }
 
 LabelledImageSet ReadLabelledImageSet(const fs::path& root) {
-  const fs::path path = root / kManifestName;
+  const fs::path path = root / kManifestFileName;
   if (fs::is_directory(root) && !fs::exists(path)) {
     throw Error({.path = root.string(),
                  .reason = "no manifest.csv in this folder: not a labelled image set",
@@ -195,7 +135,8 @@ LabelledImageSet ReadLabelledImageSet(const fs::path& root) {
                    std::to_string(header.size()));
     }
     set.items.push_back(ReadRow(records, header, fields));
-    seen.Check(records, set.items.back());
+    const LabelledImage& item = set.items.back();
+    seen.Check(records, item.image, item.instance, item.split);
   }
   if (set.items.empty()) throw Error({.path = path.string(), .reason = "no image is listed"});
   return set;
@@ -213,15 +154,12 @@ void WriteManifest(const LabelledImageSet& set) {
     for (const std::string& name : others) text += "," + CsvField(item.Companion(name));
     text += '\n';
   }
-  WriteFileAtomically(set.root / kManifestName, text);
+  WriteFileAtomically(set.root / kManifestFileName, text);
 }
 
 Image ReadMask(const LabelledImageSet& set, std::size_t index) {
   HC_CHECK(index < set.items.size(), index, set.items.size());
-  const fs::path path = set.root / set.items[index].mask;
-  Image mask = perception::ReadImage(path, perception::Channels::kGray);
-  CheckMaskValues(mask, path);
-  return mask;
+  return ReadMaskPicture(set.root / set.items[index].mask, kMaskValues);
 }
 
 LabelledPicture ReadLabelledPicture(const LabelledImageSet& set, std::size_t index) {
@@ -230,7 +168,7 @@ LabelledPicture ReadLabelledPicture(const LabelledImageSet& set, std::size_t ind
   LabelledPicture picture;
   picture.image = perception::ReadImage(set.root / item.image);
   picture.mask = ReadMask(set, index);
-  CheckSameSize(picture, set.root / item.mask);
+  RequireSameSize(set.root / item.mask, "the mask", SizeOf(picture.mask), SizeOf(picture.image));
   return picture;
 }
 
@@ -243,20 +181,14 @@ std::set<std::string> LicencesOf(const LabelledImageSet& set) {
 std::string Fingerprint(const LabelledImageSet& set) {
   std::vector<std::string> lines;
   for (const LabelledImage& item : set.items) {
-    std::string line = fs::path(item.image).lexically_normal().generic_string();
-    for (const std::string& part : {FileDigest(set.root / item.image),
-                                    FileDigest(set.root / item.mask),
-                                    item.object_class,
-                                    item.instance,
-                                    item.split}) {
-      line += '\0' + part;
-    }
-    lines.push_back(line + '\n');
+    lines.push_back(FingerprintLine(item.image,
+                                    {FileDigest(set.root / item.image),
+                                     FileDigest(set.root / item.mask),
+                                     item.object_class,
+                                     item.instance,
+                                     item.split}));
   }
-  std::sort(lines.begin(), lines.end());
-  Sha256 hash;
-  for (const std::string& line : lines) hash.Update(line);
-  return hash.HexDigest();
+  return FingerprintOf(std::move(lines));
 }
 
 }  // namespace handcraft::datasets

@@ -5,23 +5,22 @@
 
 #include <array>
 
+#include "datasets/formats/listing_rules.h"
+
 namespace handcraft::datasets {
 namespace {
-
-std::string Quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 constexpr std::array<std::string_view, 4> kColumns = {"image", "class", "instance", "angle_deg"};
 
 }  // namespace
 
 NamedViews::NamedViews(const std::filesystem::path& root) {
-  CsvRows rows(root / "views.csv", kColumns);
+  CsvRows rows(root / kViewsFileName, kColumns);
   while (rows.Next()) {
-    View view{.object_class = std::string(rows.Required(1)),
-              .instance = std::string(rows.Required(2)),
-              .angle_deg = std::nullopt,
-              .line = rows.line()};
-    if (!rows.Text(3).empty()) view.angle_deg = rows.Number(3);
+    const View view{.object_class = std::string(rows.Required(1)),
+                    .instance = std::string(rows.Required(2)),
+                    .angle_deg = ReadAngle(rows, 3),
+                    .line = rows.line()};
     by_image_.try_emplace(std::string(rows.Required(0)), view);
   }
 }

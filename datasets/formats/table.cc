@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string Quoted(std::string_view text) {
+std::string QuotedBriefly(std::string_view text) {
   constexpr std::size_t kLongest = 40;
   const bool is_long = text.size() > kLongest;
   return "'" + std::string(text.substr(0, kLongest)) + (is_long ? "…'" : "'");
@@ -46,7 +46,7 @@ std::string ListOf(const std::vector<std::string>& names) {
   constexpr std::size_t kMost = 20;
   std::string list;
   for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) {
-    list += (i == 0 ? "" : ", ") + Quoted(names[i]);
+    list += (i == 0 ? "" : ", ") + QuotedBriefly(names[i]);
   }
   if (names.size() > kMost) list += ", … (" + std::to_string(names.size()) + " in all)";
   return list;
@@ -57,7 +57,7 @@ std::string ListOf(const std::vector<std::string>& names) {
                                   const std::string& there_are) {
   throw Error({.kind = Error::Kind::kUsage,
                .path = path.string(),
-               .reason = "no column " + Quoted(label_column) + "; " + there_are});
+               .reason = "no column " + QuotedBriefly(label_column) + "; " + there_are});
 }
 
 std::vector<std::string> ReadColumnNames(CsvRecords& records,
@@ -70,7 +70,7 @@ std::vector<std::string> ReadColumnNames(CsvRecords& records,
       records.Fail("column " + std::to_string(names.size() + 1) + " has no name",
                    "the first line names the columns");
     }
-    if (!seen.insert(name).second) records.Fail("column " + Quoted(name) + " appears twice");
+    if (!seen.insert(name).second) records.Fail("column " + QuotedBriefly(name) + " appears twice");
     names.emplace_back(name);
   }
   if (names.size() == 1 && names[0].find(';') != std::string::npos) {
@@ -82,13 +82,14 @@ std::vector<std::string> ReadColumnNames(CsvRecords& records,
 [[noreturn]] void FailNumber(const CsvRecords& records,
                              const std::string& column,
                              std::string_view text) {
-  const std::string where = "column " + Quoted(column) + ": ";
+  const std::string where = "column " + QuotedBriefly(column) + ": ";
   if (Trimmed(text).empty()) {
     records.Fail(where + "nothing where a number is due", "fill the gap or remove the line");
   }
   const std::optional<double> value = ParseNumber(text);
-  if (value) records.Fail(where + Quoted(text) + " is not a finite number", "remove the line");
-  records.Fail(where + Quoted(text) + " where a number is due");
+  if (value)
+    records.Fail(where + QuotedBriefly(text) + " is not a finite number", "remove the line");
+  records.Fail(where + QuotedBriefly(text) + " where a number is due");
 }
 
 // For each column, whether it is read as numbers.
@@ -136,7 +137,8 @@ Table ReadCsvTable(const fs::path& path,
     }
     if (label < names.size()) {
       table.labels.emplace_back(Trimmed(fields[label]));
-      if (table.labels.back().empty()) records.Fail("no label in column " + Quoted(names[label]));
+      if (table.labels.back().empty())
+        records.Fail("no label in column " + QuotedBriefly(names[label]));
     }
     ++table.num_rows;
   }
@@ -212,7 +214,7 @@ BinaryLabels ToBinaryLabels(const Table& table, const fs::path& path) {
   std::sort(distinct.begin(), distinct.end(), LabelLess);
   if (distinct.size() != 2) {
     throw Error({.path = path.string(),
-                 .reason = "column " + Quoted(table.label_column) + " holds " +
+                 .reason = "column " + QuotedBriefly(table.label_column) + " holds " +
                            std::to_string(distinct.size()) + " labels" +
                            (distinct.empty() ? "" : ": ") + ListOf(distinct) +
                            "; exactly two are due",

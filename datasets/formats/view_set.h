@@ -4,21 +4,16 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "datasets/formats/fault.h"
+#include "datasets/formats/mask_picture.h"
 #include "datasets/formats/organised_cloud.h"
 #include "lib/core/image.h"
 
 namespace handcraft::datasets {
-
-/// Values of an object mask.
-inline constexpr std::uint8_t kObject = 255;
-inline constexpr std::uint8_t kNoObject = 0;
 
 /// One object seen from one side: a row of views.csv. Paths are relative to the set's folder.
 struct ObjectView {
@@ -43,9 +38,6 @@ struct ViewSet {
   std::vector<ObjectView> items;
 };
 
-/// Whether the folder holds a views.csv.
-[[nodiscard]] bool IsViewSet(const std::filesystem::path& root);
-
 /// Reads and checks views.csv: columns, paths that lie inside the folder, angles, no image twice,
 /// no instance in two splits. Throws Error with path and line. Pictures and clouds are not opened.
 [[nodiscard]] ViewSet ReadViewSet(const std::filesystem::path& root);
@@ -69,10 +61,5 @@ struct LoadedView {
 /// SHA-256 over sorted (path, SHA-256 of image, of mask and of cloud, class, instance, angle,
 /// split): same data, same text, wherever the folder lies. Without a cloud its part is empty.
 [[nodiscard]] std::string Fingerprint(const ViewSet& set);
-
-/// Each fault with its file (relative to the folder), nothing when all is well: files that cannot
-/// be read or do not fit each other, views in which no object or no point of it is seen (legal, but
-/// useless), and pictures that are there twice.
-[[nodiscard]] std::vector<Fault> FindFaults(const ViewSet& set);
 
 }  // namespace handcraft::datasets

@@ -17,6 +17,7 @@
 #include <Eigen/Geometry>
 
 #include "datasets/formats/json_value.h"
+#include "datasets/formats/mask_picture.h"
 #include "datasets/formats/view_set.h"
 #include "datasets/importers/depth_cloud.h"
 #include "datasets/importers/label_picture.h"

@@ -16,6 +16,7 @@
 
 #include "datasets/formats/json_value.h"
 #include "datasets/formats/labelled_image_set.h"
+#include "datasets/formats/mask_picture.h"
 #include "datasets/importers/coco_runs.h"
 #include "datasets/importers/labelled_shapes.h"
 #include "datasets/importers/source_tree.h"

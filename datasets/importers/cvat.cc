@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "datasets/formats/labelled_image_set.h"
+#include "datasets/formats/mask_picture.h"
 #include "datasets/importers/cvat_shapes.h"
 #include "datasets/importers/label_picture.h"
 #include "datasets/importers/source_tree.h"

@@ -18,6 +18,7 @@
 #include <variant>
 #include <vector>
 
+#include "datasets/formats/mask_picture.h"
 #include "datasets/formats/xml_element.h"
 #include "datasets/importers/labelled_shapes.h"
 #include "datasets/importers/source_tree.h"

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "datasets/formats/mask_picture.h"
 #include "datasets/importers/label_picture.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"

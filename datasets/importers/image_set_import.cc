@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "datasets/formats/mask_picture.h"
 #include "datasets/importers/import_plan.h"
 #include "datasets/importers/rectangle_list.h"
 #include "datasets/importers/source_tree.h"

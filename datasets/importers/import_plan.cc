@@ -11,6 +11,7 @@
 #include <set>
 #include <utility>
 
+#include "datasets/formats/mask_picture.h"
 #include "lib/core/check.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"

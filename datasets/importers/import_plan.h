@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "datasets/formats/mask_picture.h"
 #include "datasets/importers/image_set_import.h"
 #include "datasets/importers/source_tree.h"
 #include "datasets/importers/staging_folder.h"

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "datasets/formats/json_value.h"
+#include "datasets/formats/mask_picture.h"
 #include "datasets/importers/base64.h"
 #include "datasets/importers/labelled_shapes.h"
 #include "datasets/importers/source_tree.h"

@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "datasets/formats/mask_picture.h"
 #include "datasets/formats/view_set.h"
 #include "datasets/importers/label_picture.h"
 #include "datasets/importers/source_tree.h"

@@ -71,17 +71,4 @@ std::string ClassOfPath(const fs::path& relative) {
   return relative.has_parent_path() ? relative.begin()->string() : "object";
 }
 
-void RequireSameSize(const fs::path& path,
-                     std::string_view what,
-                     const PixelSize& size,
-                     const PixelSize& picture_size) {
-  if (size == picture_size) return;
-  const auto text = [](const PixelSize& pixels) {
-    return std::to_string(pixels[0]) + "x" + std::to_string(pixels[1]);
-  };
-  throw Error({.path = path.string(),
-               .reason = std::string(what) + " is " + text(size) + " pixels, its picture " +
-                         text(picture_size)});
-}
-
 }  // namespace handcraft::datasets

@@ -3,8 +3,6 @@
 
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -31,14 +29,5 @@ namespace handcraft::datasets {
 
 /// The first folder of a path, which by convention names the class; "object" if it has none.
 [[nodiscard]] std::string ClassOfPath(const std::filesystem::path& relative);
-
-/// Width and height [px]; as wide as numbers that stand in a foreign file.
-using PixelSize = std::array<std::int64_t, 2>;
-
-/// Throws Error that says "<what> is 3x2 pixels, its picture 4x2" unless the sizes agree.
-void RequireSameSize(const std::filesystem::path& path,
-                     std::string_view what,
-                     const PixelSize& size,
-                     const PixelSize& picture_size);
 
 }  // namespace handcraft::datasets

@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "datasets/formats/labelled_image_set.h"
+#include "datasets/formats/mask_picture.h"
 #include "datasets/formats/mat_array.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "datasets/formats/mask_picture.h"
 #include "datasets/importers/import_plan.h"
 #include "datasets/importers/source_tree.h"
 #include "datasets/importers/staging_folder.h"

@@ -16,6 +16,7 @@
 
 #include <Eigen/Geometry>
 
+#include "datasets/formats/mask_picture.h"
 #include "datasets/importers/depth_cloud.h"
 #include "datasets/importers/object_mask.h"
 #include "datasets/importers/source_tree.h"

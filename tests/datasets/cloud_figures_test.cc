@@ -111,7 +111,7 @@ TEST_F(CompareCloudsTest, NeedsCloudAndDepthOfOneSize) {
     EXPECT_THROWS_MESSAGE(CompareClouds(set_, 1, {}), Error, HasSubstr(message));
   };
   perception::WritePng16(folder_ / set_.items[1].depth, BasicImage<std::uint16_t>(6, 8, 1, 600));
-  refuses("can_0_depth.png: the depth has another size than its picture");
+  refuses("can_0_depth.png: the depth is 6x8 pixels, its picture 8x6");
   set_.items[1].depth.clear();
   refuses("views.csv: 'c.png' has no true depth");
   set_.items[0].cloud.clear();

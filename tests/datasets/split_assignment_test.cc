@@ -52,6 +52,22 @@ std::map<std::string, std::string> SplitOfInstance(const LabelledImageSet& set) 
   return splits;
 }
 
+TEST(AssignSplits, DividesViewsLikePictures) {
+  LabelledImageSet images = MakeSet(3, 7, 4);
+  ViewSet views{.root = images.root, .items = {}};
+  for (const LabelledImage& item : images.items) {
+    views.items.push_back({.image = item.image,
+                           .object_mask = item.mask,
+                           .object_class = item.object_class,
+                           .instance = item.instance,
+                           .split = item.split});
+  }
+  AssignSplits(images, {});
+  AssignSplits(views, {});
+  for (std::size_t i = 0; i < images.items.size(); ++i)
+    EXPECT_EQ(views.items[i].split, images.items[i].split) << i;
+}
+
 TEST(AssignSplits, SpreadsEveryClassLikeTheWhole) {
   LabelledImageSet set = MakeSet(3, 10, 4);
   AssignSplits(set, {});

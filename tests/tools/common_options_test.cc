@@ -96,6 +96,20 @@ TEST(GivenOptions, NamesThoseOfTheGroup) {
       RefusePictureOptions({"--radius"}), Error, HasSubstr("--radius is about pictures"));
 }
 
+TEST(FilesOf, AreWhatAViewSetListsAndMayStandBesideIt) {
+  datasets::ViewSet set{.root = "r", .items = {}};
+  set.items.push_back({.image = "i.png",
+                       .object_mask = "m.png",
+                       .object_class = "c",
+                       .instance = "1",
+                       .split = "train",
+                       .depth = "d.png"});
+  EXPECT_THAT(
+      FilesOf(set),
+      ::testing::ElementsAre(
+          "r/views.csv", "r/demonstrations.csv", "r/holds.csv", "r/i.png", "r/m.png", "r/d.png"));
+}
+
 TEST(FilesOf, AreManifestPicturesAndMasks) {
   datasets::LabelledImageSet set{.root = "r", .items = {}};
   set.items.emplace_back();

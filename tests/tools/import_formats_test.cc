@@ -11,6 +11,7 @@
 
 #include "datasets/formats/labelled_image_set.h"
 #include "datasets/formats/view_set.h"
+#include "datasets/view_set_faults.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/tools/support/run.h"
 

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <cstddef>
-#include <filesystem>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -11,9 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "datasets/formats/labelled_image_set.h"
-#include "datasets/formats/view_set.h"
-#include "datasets/labelled_image_faults.h"
+#include "datasets/stored_set.h"
 #include "lib/core/error.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
@@ -28,51 +24,62 @@ struct DataCheckOptions {
   bool json = false;
 };
 
-// What was looked at, and what was found.
-struct Checked {
-  std::size_t num_images = 0;
-  std::vector<datasets::Fault> faults;
-};
-
-Checked Check(const DataCheckOptions& options, const Progress& progress) {
-  const std::filesystem::path root(options.folder);
-  if (datasets::IsViewSet(root) && !std::filesystem::exists(root / "manifest.csv")) {
-    const datasets::ViewSet set = datasets::ReadViewSet(root);
-    return {set.items.size(), datasets::FindFaults(set)};
-  }
-  const datasets::LabelledImageSet set = datasets::ReadLabelledImageSet(root);
-  return {set.items.size(), datasets::FindFaults(set, options.num_threads, progress)};
-}
-
-void PrintJson(const Console& console, const std::string& folder, const Checked& checked) {
-  nlohmann::ordered_json json{{"folder", folder},
-                              {"num_images", checked.num_images},
-                              {"faults", nlohmann::ordered_json::array()}};
+void PrintJson(const Console& console,
+               const std::string& folder,
+               const datasets::CheckedSet& checked) {
+  nlohmann::ordered_json json{{"folder", folder}, {"num_images", checked.num_images}};
+  if (checked.num_demonstrations) json["num_demonstrations"] = *checked.num_demonstrations;
+  if (checked.num_holds) json["num_holds"] = *checked.num_holds;
+  json["faults"] = nlohmann::ordered_json::array();
   for (const datasets::Fault& fault : checked.faults) {
-    json["faults"].push_back({{"path", fault.path}, {"reason", fault.reason}});
+    nlohmann::ordered_json& entry = json["faults"].emplace_back();
+    entry["path"] = fault.path;
+    if (fault.line) entry["line"] = *fault.line;
+    entry["reason"] = fault.reason;
   }
   console.Print(json);
 }
 
+void PrintFaults(const Console& console, const std::vector<datasets::Fault>& faults) {
+  for (const datasets::Fault& fault : faults) {
+    console.out << fault.path;
+    if (fault.line) console.out << ':' << *fault.line;
+    console.out << ": " << fault.reason << '\n';
+  }
+}
+
+// ", 480 demonstrations, 240 holds"
+std::string RowsText(const datasets::CheckedSet& checked) {
+  std::string text;
+  if (checked.num_demonstrations) {
+    text += fmt::format(", {} demonstrations", *checked.num_demonstrations);
+  }
+  if (checked.num_holds) text += fmt::format(", {} holds", *checked.num_holds);
+  return text;
+}
+
 void RunDataCheck(const DataCheckOptions& options, const Console& console) {
+  const datasets::StoredSet set = datasets::OpenSet(options.folder);
   ProgressBar bar(console);
-  const Checked checked = Check(options, bar.Callback());
+  const datasets::CheckedSet checked = datasets::CheckSet(set, options.num_threads, bar.Callback());
   bar.Clear();
   if (options.json) {
     PrintJson(console, options.folder, checked);
   } else {
-    for (const datasets::Fault& fault : checked.faults) {
-      console.out << fault.path << ": " << fault.reason << '\n';
-    }
+    PrintFaults(console, checked.faults);
   }
   if (!checked.faults.empty()) {
     throw Error({.path = options.folder,
-                 .reason = fmt::format("{} fault{} in {} images",
+                 .reason = fmt::format("{} fault{} in {} images{}",
                                        checked.faults.size(),
                                        checked.faults.size() == 1 ? "" : "s",
-                                       checked.num_images)});
+                                       checked.num_images,
+                                       RowsText(checked))});
   }
-  if (!options.json) console.out << "OK: " << checked.num_images << " images and masks, no fault\n";
+  if (!options.json) {
+    console.out << "OK: " << checked.num_images << " images and masks" << RowsText(checked)
+                << ", no fault\n";
+  }
 }
 
 }  // namespace
@@ -80,8 +87,12 @@ void RunDataCheck(const DataCheckOptions& options, const Console& console) {
 void AddDataCheck(CLI::App& parent, const Console& console) {
   auto options = std::make_shared<DataCheckOptions>();
   CLI::App* command = parent.add_subcommand(
-      "check", "Open every file of a set of images or views and name each fault");
-  command->add_option("DIR", options->folder, "Folder with manifest.csv or views.csv")->required();
+      "check", "Open every file of a data set and name each fault, by file and line");
+  command
+      ->add_option("DIR",
+                   options->folder,
+                   "Folder with manifest.csv, or with views.csv and what stands beside it")
+      ->required();
   AddThreadsOption(*command, options->num_threads);
   AddJsonFlag(*command, options->json);
   SetExample(*command, "handcraft data check datasets/samples/cornell_mini");

@@ -5,6 +5,7 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include "datasets/contact_sheet.h"
 #include "datasets/demonstration_sheet.h"
 #include "datasets/sheet_pictures.h"
+#include "datasets/stored_set.h"
 #include "lib/perception/image_io.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
@@ -37,21 +39,13 @@ struct DataPreviewOptions {
   bool json = false;
 };
 
-// The set that a folder holds, and its pictures, which refer to it.
+// A set and its pictures, which refer to it.
 struct Gallery {
-  datasets::LabelledImageSet images;
-  datasets::ViewSet views;
+  datasets::StoredSet set;
   std::vector<datasets::SheetPicture> pictures;
 
   [[nodiscard]] std::vector<fs::path> Files() const {
-    std::vector<fs::path> files = FilesOf(images);
-    files.push_back(views.root / "views.csv");
-    files.push_back(views.root / "demonstrations.csv");
-    for (const datasets::ObjectView& view : views.items) {
-      for (const std::string& path : {view.image, view.object_mask, view.cloud, view.depth})
-        files.push_back(views.root / path);
-    }
-    return files;
+    return std::visit([](const auto& of_kind) { return FilesOf(of_kind); }, set.pictures);
   }
 };
 
@@ -60,16 +54,16 @@ std::unique_ptr<Gallery> OpenGallery(const DataPreviewOptions& options) {
   const fs::path root(options.folder);
   if (options.shows_poses) {
     const datasets::DemonstrationSet poses = datasets::ReadDemonstrationSet(root);
-    gallery->views = datasets::ReadViewSet(root);
+    const auto& views =
+        gallery->set.pictures.emplace<datasets::ViewSet>(datasets::ReadViewSet(root));
     datasets::DemonstrationSheetOptions sheet = options.poses;
     if (options.tile_width_px > 0) sheet.tile_width_px = options.tile_width_px;
-    gallery->pictures = datasets::SheetPicturesOf(poses, gallery->views, sheet);
-  } else if (datasets::IsViewSet(root)) {
-    gallery->views = datasets::ReadViewSet(root);
-    gallery->pictures = datasets::SheetPicturesOf(gallery->views);
+    gallery->pictures = datasets::SheetPicturesOf(poses, views, sheet);
   } else {
-    gallery->images = datasets::ReadLabelledImageSet(root);
-    gallery->pictures = datasets::SheetPicturesOf(gallery->images);
+    gallery->set = datasets::OpenSet(root);
+    gallery->pictures =
+        std::visit([](const auto& of_kind) { return datasets::SheetPicturesOf(of_kind); },
+                   gallery->set.pictures);
   }
   return gallery;
 }

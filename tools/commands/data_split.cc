@@ -1,18 +1,21 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <ostream>
 #include <set>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "datasets/split_assignment.h"
+#include "datasets/stored_set.h"
 #include "lib/core/error.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
@@ -56,39 +59,46 @@ struct Counts {
   std::set<std::string> classes;
 };
 
-std::map<std::string, Counts> CountSplits(const datasets::LabelledImageSet& set) {
+std::map<std::string, Counts> CountSplits(const datasets::StoredSet& stored) {
   std::map<std::string, Counts> splits;
-  for (const datasets::LabelledImage& item : set.items) {
-    Counts& counts = splits[item.split];
-    ++counts.images;
-    counts.instances.insert(item.instance);
-    counts.classes.insert(item.object_class);
-  }
+  std::visit(
+      [&](const auto& set) {
+        for (const auto& item : set.items) {
+          Counts& counts = splits[item.split];
+          ++counts.images;
+          counts.instances.insert(item.instance);
+          counts.classes.insert(item.object_class);
+        }
+      },
+      stored.pictures);
   return splits;
 }
 
 void PrintText(const Console& console,
                const DataSplitOptions& options,
-               const datasets::LabelledImageSet& set) {
+               const datasets::StoredSet& set) {
+  const std::map<std::string, Counts> splits = CountSplits(set);
+  std::size_t num_images = 0;
+  for (const auto& [name, counts] : splits) num_images += counts.images;
   TextTable table({"split", "images", "share %", "instances", "classes"});
-  for (const auto& [name, counts] : CountSplits(set)) {
-    table.AddRow({name,
-                  std::to_string(counts.images),
-                  fmt::format("{:.1f}",
-                              100.0 * static_cast<double>(counts.images) /
-                                  static_cast<double>(set.items.size())),
-                  std::to_string(counts.instances.size()),
-                  std::to_string(counts.classes.size())});
+  for (const auto& [name, counts] : splits) {
+    table.AddRow(
+        {name,
+         std::to_string(counts.images),
+         fmt::format("{:.1f}",
+                     100.0 * static_cast<double>(counts.images) / static_cast<double>(num_images)),
+         std::to_string(counts.instances.size()),
+         std::to_string(counts.classes.size())});
   }
   console.out << table.ToText() << '\n'
-              << (options.dry_run ? "Not written (--dry-run): " : "Wrote ")
-              << (set.root / "manifest.csv").string() << '\n';
+              << (options.dry_run ? "Not written (--dry-run): " : "Wrote ") << set.list().string()
+              << '\n';
 }
 
 void PrintJson(const Console& console,
                const DataSplitOptions& options,
-               const datasets::LabelledImageSet& set) {
-  nlohmann::ordered_json json{{"folder", set.root.string()},
+               const datasets::StoredSet& set) {
+  nlohmann::ordered_json json{{"folder", set.root().string()},
                               {"written", !options.dry_run},
                               {"splits", nlohmann::ordered_json::array()}};
   for (const auto& [name, counts] : CountSplits(set)) {
@@ -105,9 +115,9 @@ void RunDataSplit(const DataSplitOptions& options, const Console& console) {
   if (!options.shares.empty()) split.shares.clear();
   for (const std::string& text : options.shares) split.shares.push_back(ReadShare(text));
   if (options.by == "class") split.group = datasets::SplitGroup::kClass;
-  datasets::LabelledImageSet set = datasets::ReadLabelledImageSet(options.folder);
-  datasets::AssignSplits(set, split);
-  if (!options.dry_run) datasets::WriteManifest(set);
+  datasets::StoredSet set = datasets::OpenSet(options.folder);
+  std::visit([&](auto& pictures) { datasets::AssignSplits(pictures, split); }, set.pictures);
+  if (!options.dry_run) datasets::RewriteSplits(set);
   options.json ? PrintJson(console, options, set) : PrintText(console, options, set);
 }
 
@@ -116,8 +126,8 @@ void RunDataSplit(const DataSplitOptions& options, const Console& console) {
 void AddDataSplit(CLI::App& parent, const Console& console) {
   auto options = std::make_shared<DataSplitOptions>();
   CLI::App* command = parent.add_subcommand(
-      "split", "Divide a labelled image set anew; rewrites the column of its manifest.csv");
-  command->add_option("DIR", options->folder, "Folder with manifest.csv")->required();
+      "split", "Divide a set anew; rewrites the column of its manifest.csv or views.csv");
+  command->add_option("DIR", options->folder, "Folder with manifest.csv or views.csv")->required();
   command
       ->add_option("--share",
                    options->shares,

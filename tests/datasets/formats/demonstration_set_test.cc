@@ -4,6 +4,7 @@
 #include "datasets/formats/demonstration_set.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -119,6 +120,28 @@ TEST(ReadDemonstrationSet, SaysWhatIsMissing) {
   WriteFileAtomically(folder / "views.csv", kViews);
   EXPECT_THROWS_MESSAGE(read(), Error, HasSubstr("demonstrations.csv: no pose is listed"));
   EXPECT_THROWS_MESSAGE(ReadDemonstrationSet("no/such"), Error, HasSubstr("No such file"));
+}
+
+TEST(CheckDemonstrations, NamesEveryFaultyRow) {
+  const TemporaryDirectory folder;
+  WriteFileAtomically(folder / "views.csv", kViews);
+  const auto check = [&](const std::string& rows) {
+    WriteFileAtomically(folder / "demonstrations.csv", kHeader + rows);
+    std::string text;
+    const RowFindings findings = CheckDemonstrations(folder.path());
+    for (const Fault& fault : findings.faults)
+      text += fault.path + ":" + std::to_string(fault.line.value_or(0)) + ": " + fault.reason + "|";
+    return text + std::to_string(findings.num_rows);
+  };
+  const std::string sound = RowWith("mug", "mug");
+  EXPECT_EQ(check(sound + RowWith("0.1", "0.2")), "2");
+  EXPECT_EQ(check(RowWith("0.1", "inf") + sound + RowWith(",30,", ",40,") + RowWith("0.1", "0.10")),
+            "demonstrations.csv:2: column 'x_m': 'inf' is not a finite number|"
+            "demonstrations.csv:4: angle_deg '40'; views.csv has '30' for this view on line 2|"
+            "demonstrations.csv:5: the same row as on line 3|4");
+  EXPECT_EQ(check(""), "demonstrations.csv:1: no row is listed|0");
+  std::filesystem::remove(folder / "views.csv");
+  EXPECT_THAT(check(sound), HasSubstr("views.csv:0: cannot open"));
 }
 
 TEST(WriteDemonstrations, ComesBackUnchanged) {

@@ -71,6 +71,19 @@ TEST(ReadHoldSet, SaysWhatIsMissing) {
   EXPECT_THROWS_MESSAGE(ReadHoldSet("no/such"), Error, HasSubstr("holds.csv: cannot open"));
 }
 
+TEST(CheckHolds, NamesEveryFaultyRow) {
+  const TemporaryDirectory folder;
+  WriteFileAtomically(folder / "views.csv", kViews);
+  WriteFileAtomically(folder / "holds.csv", kHeader + RowWith("drill_0", "drill_1") + kRow + kRow);
+  const RowFindings findings = CheckHolds(folder.path());
+  EXPECT_EQ(findings.num_rows, 3U);
+  ASSERT_THAT(findings.faults, SizeIs(2));
+  EXPECT_EQ(findings.faults[0].line, 2U);
+  EXPECT_THAT(findings.faults[0].reason, HasSubstr("instance 'drill_1'"));
+  EXPECT_EQ(findings.faults[1].line, 4U);
+  EXPECT_EQ(findings.faults[1].reason, "the same row as on line 3");
+}
+
 TEST(WriteHolds, ComesBackUnchanged) {
   const TemporaryDirectory folder;
   WriteFileAtomically(folder / "views.csv", kViews);

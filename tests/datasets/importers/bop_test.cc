@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/importers/view_set_import.h"
+#include "datasets/view_set_faults.h"
 #include "lib/core/rng.h"
 #include "tests/datasets/importers/importer_test.h"
 

@@ -74,12 +74,5 @@ TEST(ClassOfPath, IsTheFirstFolder) {
   EXPECT_EQ(ClassOfPath("a.png"), "object");
 }
 
-TEST(RequireSameSize, SaysBothSizes) {
-  RequireSameSize("a.png", "the mask", {3, 2}, {3, 2});
-  EXPECT_THROWS_MESSAGE((RequireSameSize("a.png", "the mask", {3, 2}, {2, 3}), 0),
-                        Error,
-                        HasSubstr("a.png: the mask is 3x2 pixels, its picture 2x3"));
-}
-
 }  // namespace
 }  // namespace handcraft::datasets

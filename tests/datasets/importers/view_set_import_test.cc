@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "datasets/view_set_faults.h"
 #include "tests/datasets/importers/importer_test.h"
 
 namespace handcraft::datasets {

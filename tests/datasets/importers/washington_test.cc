@@ -8,6 +8,7 @@
 #include <string>
 
 #include "datasets/importers/view_set_import.h"
+#include "datasets/view_set_faults.h"
 #include "tests/datasets/importers/importer_test.h"
 
 namespace handcraft::datasets {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "datasets/view_set_faults.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 #include "tests/datasets/synthetic/brute_force_grasp.h"

@@ -10,6 +10,7 @@
 
 #include "datasets/formats/view_set.h"
 #include "datasets/synthetic/view_sets.h"
+#include "datasets/view_set_faults.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 #include "tests/datasets/synthetic/brute_force_grasp.h"

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "datasets/view_set_faults.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 #include "tests/datasets/synthetic/small_camera.h"

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "datasets/formats/demonstration_set.h"
 #include "lib/core/file.h"
 #include "lib/perception/image_io.h"
 #include "tests/datasets/small_view_set.h"
@@ -63,6 +64,26 @@ TEST_F(DataCheck, ChecksViewSets) {
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.out, HasSubstr("a.pcd: "));
   EXPECT_THAT(outcome.err, HasSubstr("1 fault in 3 images"));
+}
+
+TEST_F(DataCheck, NamesTheLinesOfPoses) {
+  const std::filesystem::path root = folder_ / "shown";
+  std::filesystem::create_directory(root);
+  datasets::WriteViews(handcraft::testing::MakeViewSet(root));
+  const datasets::Demonstration pose{
+      .object_class = "can", .instance = "can_0", .view = "c.png", .angle_deg = 22.5, .pose = {}};
+  datasets::WriteDemonstrations({.root = root, .items = {pose}});
+  EXPECT_EQ(RunArgs({"data", "check", root.string()}).out,
+            "OK: 3 images and masks, 1 demonstrations, no fault\n");
+  datasets::WriteDemonstrations({.root = root, .items = {pose, pose}});
+  const Outcome outcome = RunArgs({"data", "check", root.string()});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(outcome.out, "demonstrations.csv:3: the same row as on line 2\n");
+  EXPECT_THAT(outcome.err, HasSubstr("1 fault in 3 images, 2 demonstrations"));
+  const auto json = nlohmann::json::parse(RunArgs({"data", "check", root.string(), "--json"}).out);
+  EXPECT_EQ(json["num_demonstrations"], 2);
+  EXPECT_EQ(json["faults"][0]["line"], 3);
+  EXPECT_EQ(json["faults"][0]["path"], "demonstrations.csv");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/formats/labelled_image_set.h"
+#include "datasets/formats/view_set.h"
 #include "lib/core/file.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/tools/support/run.h"
@@ -49,6 +50,28 @@ TEST(DataSplit, RewritesTheSplitsAndNothingElse) {
     EXPECT_EQ(after.items[i].image, before.items[i].image);
     EXPECT_EQ(after.items[i].others, before.items[i].others);
   }
+}
+
+TEST(DataSplit, DividesViewSets) {
+  const TemporaryDirectory folder;
+  std::string text = "image,object_mask,cloud,class,instance,angle_deg,split,licence,note\n";
+  for (int i = 0; i < 12; ++i) {
+    const std::string number = std::to_string(i);
+    text.append(number).append(".png,m.png,,mug,mug").append(std::to_string(i / 3));
+    text.append(",").append(number).append(",old,MIT,\"n, ").append(number).append("\"\n");
+  }
+  WriteFileAtomically(folder / "views.csv", text);
+  const Outcome outcome =
+      RunLine("data split " + folder.path().string() + " --share a=0.5 --share b=0.5 --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["splits"][0]["num_images"], 6);
+  EXPECT_EQ(json["splits"][0]["num_instances"], 2);
+  const datasets::ViewSet set = datasets::ReadViewSet(folder.path());  // no instance in two splits
+  const std::string after = ReadTextFile(folder / "views.csv");
+  EXPECT_THAT(after,
+              HasSubstr("11.png,m.png,,mug,mug3,11," + set.items[11].split + ",MIT,\"n, 11\""));
+  EXPECT_THAT(after, ::testing::Not(HasSubstr("old")));
 }
 
 TEST(DataSplit, ShowsWhatItWouldDo) {
