@@ -260,7 +260,7 @@ constexpr auto kFormats = std::to_array<ImportFormat>(
       SetKind::kViews},
      {"coil",
       "COIL-20 and COIL-100, as views: objects on a turntable before black",
-      "Folder with objN__K.png, at any depth",
+      "Folder with objN__K.png, at any depth, or NPY file of the pictures",
       "coil tests/data/views/coil --out coil",
       AddCoilOptions,
       SetKind::kViews},

@@ -7,9 +7,13 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <regex>
 #include <string>
+#include <vector>
 
+#include "datasets/formats/npy.h"
+#include "datasets/formats/npy_pictures.h"
 #include "datasets/importers/object_mask.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
@@ -21,7 +25,39 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLastStep = 71;
+constexpr int kNumViews = 72;  // of an object
+constexpr double kStep_deg = 5.0;
+
+// "objN__K" of both ways to keep the pictures.
+SourcePicture Describe(const std::string& object, const std::string& image) {
+  return {.image = image,
+          .mask = fs::path(image).replace_extension(".png").generic_string(),
+          .object_class = object,
+          .instance = object};
+}
+
+// The pictures of an array, object after object.
+SourceSet ListArray(const fs::path& source, std::uint8_t threshold) {
+  const auto views = std::make_shared<const std::vector<Image>>(ReadNpyPictures(source));
+  if (views->size() % kNumViews != 0) {
+    throw Error({.path = source.string(),
+                 .reason = std::to_string(views->size()) + " pictures; 72 of each object are due"});
+  }
+  SourceSet set;
+  for (std::size_t i = 0; i < views->size(); ++i) {
+    const std::size_t step = i % kNumViews;
+    const std::string object = "obj" + std::to_string(i / kNumViews + 1);
+    SourcePicture& picture =
+        set.pictures.emplace_back(Describe(object, object + "__" + std::to_string(step) + ".png"));
+    picture.path = source;
+    picture.angle_deg = kStep_deg * static_cast<double>(step);
+    picture.make_image = [views, i] { return (*views)[i]; };
+    picture.make_mask = [views, i, threshold](int, int) {
+      return MaskBeforeDarkness((*views)[i], threshold);
+    };
+  }
+  return set;
+}
 
 }  // namespace
 
@@ -34,6 +70,7 @@ SourceSet ListCoil(const fs::path& source, const CoilOptions& options) {
   options.Validate();
   static const std::regex kPattern("(obj[0-9]+)__([0-9]{1,3})");
   const auto threshold = static_cast<std::uint8_t>(options.threshold);
+  if (fs::is_regular_file(source) && IsNpy(source)) return ListArray(source, threshold);
   SourceSet set;
   int last = 0;
   for (const fs::path& file : ListFiles(source, std::numeric_limits<int>::max())) {
@@ -42,25 +79,22 @@ SourceSet ListCoil(const fs::path& source, const CoilOptions& options) {
     if (!IsNamedLikeAPicture(file) || !std::regex_match(stem, match, kPattern)) continue;
     const int number = std::stoi(match[2]);
     last = std::max(last, number);
-    const fs::path relative = file.lexically_relative(source);
-    set.pictures.push_back({.path = file,
-                            .image = relative.generic_string(),
-                            .mask = fs::path(relative).replace_extension(".png").generic_string(),
-                            .object_class = match[1],
-                            .instance = match[1],
-                            .angle_deg = number,
-                            .make_mask = [file, threshold](int, int) {
-                              return MaskBeforeDarkness(perception::ReadImage(file), threshold);
-                            }});
+    SourcePicture& picture = set.pictures.emplace_back(
+        Describe(match[1], file.lexically_relative(source).generic_string()));
+    picture.path = file;
+    picture.angle_deg = number;
+    picture.make_mask = [file, threshold](int, int) {
+      return MaskBeforeDarkness(perception::ReadImage(file), threshold);
+    };
   }
   if (set.pictures.empty()) {
     throw Error({.path = source.string(),
                  .reason = "no objN__K.png in it",
-                 .remedy = "give the folder of the unpacked pictures"});
+                 .remedy = "give the folder of the unpacked pictures, or an NPY file of them"});
   }
   for (SourcePicture& picture : set.pictures) {
-    constexpr double kStep_deg = 5.0;
-    picture.angle_deg = std::fmod(*picture.angle_deg * (last > kLastStep ? 1.0 : kStep_deg), 360.0);
+    picture.angle_deg =
+        std::fmod(*picture.angle_deg * (last >= kNumViews ? 1.0 : kStep_deg), 360.0);
   }
   return set;
 }

@@ -18,8 +18,10 @@ struct CoilOptions {
 
 /// Lists the views of COIL-20 or COIL-100: objN__K.png, at any depth. In COIL-20 K counts steps of
 /// 5° (0 … 71), in COIL-100 it is the angle [deg]; the latter is taken when a K is above 71. objN
-/// is instance and class. The masks are made by MaskBeforeDarkness; there are no clouds. Throws
-/// Error when there is no such view. Source: S. A. Nene, S. K. Nayar, H. Murase, "Columbia object
+/// is instance and class. A source that is an NPY file of bytes (pictures × rows × columns) holds
+/// the 72 views of each object in the order of their angles, object after object. The masks are
+/// made by MaskBeforeDarkness; there are no clouds. Throws Error when there is no such view, and
+/// for another number of pictures. Source: S. A. Nene, S. K. Nayar, H. Murase, "Columbia object
 /// image library (COIL-20)", CUCS-005-96 and "(COIL-100)", CUCS-006-96.
 [[nodiscard]] SourceSet ListCoil(const std::filesystem::path& source, const CoilOptions& options);
 

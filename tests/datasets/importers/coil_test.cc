@@ -3,7 +3,10 @@
 
 #include "datasets/importers/coil.h"
 
+#include <cstddef>
+#include <filesystem>
 #include <string>
+#include <utility>
 
 #include "datasets/importers/view_set_import.h"
 #include "datasets/view_set_faults.h"
@@ -53,6 +56,52 @@ TEST_F(ListCoilTest, TakesNumbersForDegreesInCoil100) {
   ASSERT_THAT(source.pictures, SizeIs(2));
   EXPECT_EQ(source.pictures[1].angle_deg, 355.0);
   EXPECT_EQ(source.pictures[1].image, "coil-100/obj1__355.png");
+}
+
+// Pictures × rows × columns of bytes.
+void WriteNpyPictures(const std::filesystem::path& path, std::size_t num_pictures) {
+  const std::string header = "{'descr': '|u1', 'fortran_order': False, 'shape': (" +
+                             std::to_string(num_pictures) + ", 2, 3), }";
+  std::string text = std::string("\x93NUMPY\x01") + '\0';
+  text.append({static_cast<char>(header.size()), '\0'}).append(header);
+  for (std::size_t i = 0; i < num_pictures; ++i) {
+    text.append(4, '\0').append({static_cast<char>(1 + i), '\0'});
+  }
+  WriteFileAtomically(path, text);
+}
+
+TEST_F(ListCoilTest, ReadsAnArrayOfPictures) {
+  const std::filesystem::path path = folder_ / "coil20.npy";
+  WriteNpyPictures(path, 144);
+  const SourceSet source = ListCoil(path, {.threshold = 0});
+  ASSERT_THAT(source.pictures, SizeIs(144));
+  EXPECT_EQ(source.pictures[71].instance, "obj1");
+  EXPECT_EQ(source.pictures[71].angle_deg, 355.0);
+  EXPECT_EQ(source.pictures[74].image, "obj2__2.png");
+  EXPECT_EQ(source.pictures[74].angle_deg, 10.0);
+  const ViewSet set = ImportViews(source, out_, {});
+  EXPECT_THAT(FindFaults(set), IsEmpty());
+  const LoadedView view = ReadView(set, 74);
+  EXPECT_EQ(view.image.At(1, 1), 75);
+  EXPECT_EQ(view.object_mask.At(1, 1), kObject);
+  EXPECT_EQ(view.object_mask.At(0, 1), kNoObject);
+  WriteNpyPictures(path, 100);
+  EXPECT_THAT(RefusalOf([&] { return ListCoil(path, {}); }),
+              HasSubstr("coil20.npy: 100 pictures; 72 of each object are due"));
+}
+
+// Two objects of the real pictures: a duck and a block, which turn.
+TEST_F(ListCoilTest, ReadsTheRealArray) {
+  const std::filesystem::path path = std::filesystem::path(HANDCRAFT_SOURCE_DIR) /
+                                     "../shared/data/coil20_32x32/coil20_u8_1440x32x32.npy";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "COIL-20 is not at " << path;
+  SourceSet source = ListCoil(path, {});
+  ASSERT_THAT(source.pictures, SizeIs(1440));
+  EXPECT_EQ(source.pictures.back().instance, "obj20");
+  source.pictures.resize(144);
+  const ViewSet set = ImportViews(std::move(source), out_, {.test_share = 0.0, .max_images = 12});
+  EXPECT_THAT(FindFaults(set), IsEmpty());
+  EXPECT_EQ(ReadView(set, 0).image.width(), 32);
 }
 
 TEST_F(ListCoilTest, SaysWhatWasExpected) {
