@@ -4,22 +4,21 @@
 // Files of others from anywhere: what the importers read ends in a result or in handcraft::Error,
 // and in nothing else. The first byte chooses the reader, the rest is the file.
 
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "datasets/formats/demonstration_set.h"
+#include "datasets/formats/hold_set.h"
 #include "datasets/formats/labelled_image_set.h"
 #include "datasets/formats/mat_array.h"
 #include "datasets/formats/npy.h"
+#include "datasets/formats/npy_pictures.h"
 #include "datasets/formats/organised_cloud.h"
 #include "datasets/formats/table.h"
 #include "datasets/formats/view_set.h"
@@ -32,55 +31,32 @@
 #include "datasets/importers/jacquard.h"
 #include "datasets/importers/labelme.h"
 #include "lib/core/error.h"
+#include "tests/fuzz/fuzzed_file.h"
 
 namespace handcraft::datasets {
 namespace {
 
-namespace fs = std::filesystem;
+using testing::FuzzedFile;
+using testing::Require;
 
-void Require(bool condition) {
-  if (!condition) __builtin_trap();
+// In which the file has this name, and a picture lies that it may name.
+std::filesystem::path FolderWithPicture(const FuzzedFile& file, const std::string& name) {
+  const std::filesystem::path folder = file.FolderOf(name);
+  if (!std::filesystem::exists(folder / "a.png")) {
+    Require(std::ofstream(folder / "a.png").good());
+  }
+  return folder;
 }
 
-// A file in memory, and a folder in which it has the names that readers look for.
-class FuzzedFile {
- public:
-  FuzzedFile() : descriptor_(memfd_create("fuzzed", 0)) {
-    Require(descriptor_ >= 0);
-    std::string name = (fs::temp_directory_path() / "importer_fuzz_XXXXXX").string();
-    Require(mkdtemp(name.data()) != nullptr);
-    folder_ = name;
-    for (const char* file : {"a.json", "labelmap.txt", "manifest.csv", "views.csv"}) {
-      fs::create_directory(FolderOf(file));
-      fs::create_symlink(path(), FolderOf(file) / file);
-    }
-    for (const char* file : {"a.json", "labelmap.txt"}) {  // the pictures that a file may name
-      Require(std::ofstream(FolderOf(file) / "a.png").good());
-    }
+// Beside views.csv with one view, in which the file has this name.
+std::filesystem::path FolderWithView(const FuzzedFile& file, const std::string& name) {
+  const std::filesystem::path folder = file.FolderOf(name);
+  if (!std::filesystem::exists(folder / "views.csv")) {
+    std::ofstream views(folder / "views.csv");
+    Require((views << "image,class,instance,angle_deg\na.png,mug,m1,30\n").good());
   }
-  ~FuzzedFile() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-    close(descriptor_);
-  }
-  FuzzedFile(const FuzzedFile&) = delete;
-  FuzzedFile& operator=(const FuzzedFile&) = delete;
-
-  void Fill(std::string_view bytes) const {
-    Require(ftruncate(descriptor_, 0) == 0);
-    Require(pwrite(descriptor_, bytes.data(), bytes.size(), 0) ==
-            static_cast<ssize_t>(bytes.size()));
-  }
-  [[nodiscard]] fs::path path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
-  // The folder in which the file has this name.
-  [[nodiscard]] fs::path FolderOf(const std::string& name) const {
-    return folder_ / (name + ".folder");
-  }
-
- private:
-  int descriptor_;
-  fs::path folder_;
-};
+  return folder;
+}
 
 // Pictures that are 6 × 4 are drawn.
 void MakeMasks(const SourceSet& source) {
@@ -99,17 +75,19 @@ void MakeMaskOf(const std::vector<GraspRectangle>& rectangles) {
 }
 
 void ReadCoco(const FuzzedFile& file) {
-  MakeMasks(ListCoco(file.path(), {.images = file.FolderOf("a.json")}));
+  MakeMasks(ListCoco(file.path(), {.images = FolderWithPicture(file, "a.json")}));
 }
 
-void ReadLabelme(const FuzzedFile& file) { MakeMasks(ListLabelme(file.FolderOf("a.json"), {})); }
+void ReadLabelme(const FuzzedFile& file) {
+  MakeMasks(ListLabelme(FolderWithPicture(file, "a.json"), {}));
+}
 
 void ReadCvatShapes(const FuzzedFile& file) {
-  MakeMasks(ListCvatShapes(file.path(), {.images = file.FolderOf("a.json")}));
+  MakeMasks(ListCvatShapes(file.path(), {.images = FolderWithPicture(file, "a.json")}));
 }
 
 void ReadCvatMasks(const FuzzedFile& file) {
-  static_cast<void>(ListCvat(file.FolderOf("labelmap.txt"), {}));
+  static_cast<void>(ListCvat(FolderWithPicture(file, "labelmap.txt"), {}));
 }
 
 void ReadMat(const FuzzedFile& file) {
@@ -134,6 +112,10 @@ void ReadMatrix(const FuzzedFile& file) {
   Require(matrix.values.size() == matrix.rows * matrix.columns);
 }
 
+void ReadPictures(const FuzzedFile& file) {
+  for (const Image& picture : ReadNpyPictures(file.path())) Require(!picture.empty());
+}
+
 void ReadCsvTable(const FuzzedFile& file) {
   const Table table = ReadTable(file.path(), "label");
   Require(table.values.size() == table.num_rows * table.columns.size());
@@ -147,6 +129,21 @@ void ReadViews(const FuzzedFile& file) {
   static_cast<void>(ReadViewSet(file.FolderOf("views.csv")));
 }
 
+void ReadDemonstrations(const FuzzedFile& file) {
+  const auto root = FolderWithView(file, "demonstrations.csv");
+  const RowFindings findings = CheckDemonstrations(root);
+  Require(findings.faults.size() <= findings.num_rows + 1);
+  static_cast<void>(ReadDemonstrationSet(root));
+  for (const Fault& fault : findings.faults) Require(fault.reason.starts_with("the same row as"));
+}
+
+void ReadHolds(const FuzzedFile& file) {
+  const auto root = FolderWithView(file, "holds.csv");
+  const RowFindings findings = CheckHolds(root);
+  static_cast<void>(ReadHoldSet(root));
+  for (const Fault& fault : findings.faults) Require(fault.reason.starts_with("the same row as"));
+}
+
 constexpr auto kReaders = std::to_array<void (*)(const FuzzedFile&)>({ReadCoco,
                                                                       ReadLabelme,
                                                                       ReadCvatShapes,
@@ -158,7 +155,10 @@ constexpr auto kReaders = std::to_array<void (*)(const FuzzedFile&)>({ReadCoco,
                                                                       ReadMatrix,
                                                                       ReadCsvTable,
                                                                       ReadManifest,
-                                                                      ReadViews});
+                                                                      ReadViews,
+                                                                      ReadDemonstrations,
+                                                                      ReadHolds,
+                                                                      ReadPictures});
 
 // Texts within files.
 void Decode(std::string_view text) {

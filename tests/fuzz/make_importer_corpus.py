@@ -12,7 +12,7 @@ import sys
 import zlib
 
 (COCO, LABELME, CVAT_SHAPES, CVAT_MASKS, MAT, PCD, RECTANGLES, GRASPS, NPY, TABLE, MANIFEST, VIEWS,
- TEXT) = range(13)
+ DEMONSTRATIONS, HOLDS, PICTURES, TEXT) = range(16)
 
 
 def coco(segmentation, **other):
@@ -106,6 +106,8 @@ def numbers():
     yield "npy_float", NPY, npy((2, 3), struct.pack("<6f", *range(6)))
     yield "npy_huge_shape", NPY, npy((2**62, 8), b"")
     yield "npy_bool", NPY, npy((1, 2), b"\0\1", "|b1")
+    yield "npy_pictures", PICTURES, npy((2, 2, 3), bytes(range(12)), "|u1")
+    yield "npy_pictures_huge", PICTURES, npy((2**62, 4, 1), b"", "|u1")
     yield "table", TABLE, b"x,y,label\r\n1,2.5e3,\"a,\"\"b\"\n-1,0,c\n"
     yield "table_quote_without_end", TABLE, b'x,label\n"1,2'
     yield "table_of_npy", TABLE, npy((2, 3), struct.pack("<6f", *range(6)))
@@ -114,6 +116,14 @@ def numbers():
     yield "views", VIEWS, (b"image,object_mask,cloud,class,instance,angle_deg,split,licence,symmetry"
                            b"\na.png,b.png,c.pcd,mug,m1,22.5,train,CC0,round\n"
                            b"d.png,e.png,,mug,m2,,test,,\n")
+    pose = b"0.1,-0.2,0.3,0,0.6,0,0.8"
+    row = b"mug,m1,a.png,30,base,grasp_centre," + pose + b"\n"
+    yield "demonstrations", DEMONSTRATIONS, (
+        b"class,instance,view,angle_deg,frame,end_effector,x_m,y_m,z_m,qx,qy,qz,qw\n" + row + row)
+    hands = b",".join(hand + b"_" + part for hand in (b"right", b"left")
+                      for part in (b"x_m", b"y_m", b"z_m", b"qx", b"qy", b"qz", b"qw"))
+    yield "holds", HOLDS, (b"class,instance,view,frame,end_effector," + hands +
+                           b"\nmug,m1,a.png,base,grasp_centre," + pose + b"," + pose + b"\n")
 
 
 def main():
