@@ -70,6 +70,51 @@ inline float GraspableReach(const Object& object, float below) {
   return reach_m;
 }
 
+/// As wide as it is deep.
+inline void ExpectRound(const Object& object) {
+  const Eigen::Vector3f size_m = Bounds(object.mesh).sizes();
+  EXPECT_NEAR(size_m.x(), size_m.y(), 1e-5F);
+}
+
+/// Nothing graspable is higher than this share of the whole height.
+inline void ExpectHeldBelow(const Object& object, float share) {
+  EXPECT_LT(GraspableBounds(object).max().z(), share * Bounds(object.mesh).max().z());
+}
+
+/// A flat bottle, its broad side to the front, held below the cap.
+inline void ExpectFlatBottle(const Object& bottle, float held_below) {
+  ExpectSound(bottle);
+  ExpectHalfTurnSymmetry(bottle);
+  const Eigen::Vector3f size_m = Bounds(bottle.mesh).sizes();
+  EXPECT_LT(size_m.x(), 0.8F * size_m.y());
+  ExpectHeldBelow(bottle, held_below);
+}
+
+/// A round bottle, held in the middle.
+inline void ExpectRoundBottle(const Object& bottle) {
+  ExpectSound(bottle);
+  ExpectHalfTurnSymmetry(bottle);
+  ExpectRound(bottle);
+  ExpectHeldBelow(bottle, 0.66F);
+}
+
+/// A mug with its handle at +x, held by the handle, at least `reach_m` from the axis, and the rim.
+inline void ExpectMug(const Object& mug, float reach_m) {
+  ExpectSound(mug);
+  EXPECT_GT(Bounds(mug.mesh).max().x(), -Bounds(mug.mesh).min().x() + 0.015F) << "handle at +x";
+  EXPECT_GT(GraspableReach(mug, 0.6F), reach_m) << "handle";
+  EXPECT_FLOAT_EQ(GraspableBounds(mug).max().z(), Bounds(mug.mesh).max().z()) << "rim";
+}
+
+/// A jug held by a handle at its front, farther out and higher than this.
+inline void ExpectJug(const Object& jug, float out_m, float up_m) {
+  ExpectSound(jug);
+  const Eigen::AlignedBox3f held = GraspableBounds(jug);
+  EXPECT_LT(held.sizes().y(), 0.04F);
+  EXPECT_GT(held.max().x(), out_m);
+  EXPECT_GT(held.min().z(), up_m);
+}
+
 /// Runs `check` on thirty drawn objects.
 template <class Check>
 void ForManyObjects(Object (*draw)(Rng&), const Check& check) {

@@ -9,11 +9,14 @@ namespace handcraft::synthetic {
 namespace {
 
 using testing::ExpectCentred;
+using testing::ExpectFlatBottle;
 using testing::ExpectHalfTurnSymmetry;
+using testing::ExpectHeldBelow;
+using testing::ExpectJug;
+using testing::ExpectMug;
+using testing::ExpectRoundBottle;
 using testing::ExpectSound;
 using testing::ForManyObjects;
-using testing::GraspableBounds;
-using testing::GraspableReach;
 
 TEST(DrawCoffeeCan, IsARoundedBoxHeldByItsSides) {
   ForManyObjects(DrawCoffeeCan, [](const Object& can) {
@@ -23,38 +26,25 @@ TEST(DrawCoffeeCan, IsARoundedBoxHeldByItsSides) {
     const Eigen::Vector3f size_m = Bounds(can.mesh).sizes();
     EXPECT_LT(size_m.x(), size_m.y()) << "the broad side faces +x";
     EXPECT_GT(size_m.z(), size_m.y());
-    EXPECT_LT(GraspableBounds(can).max().z(), 0.95F * size_m.z()) << "below the lid";
+    ExpectHeldBelow(can, 0.95F);  // below the lid
   });
 }
 
 TEST(DrawMouthwashBottle, IsFlatAndHeldInTheMiddle) {
   ForManyObjects(DrawMouthwashBottle, [](const Object& bottle) {
-    ExpectSound(bottle);
-    ExpectHalfTurnSymmetry(bottle);
-    const Eigen::Vector3f size_m = Bounds(bottle.mesh).sizes();
-    EXPECT_LT(size_m.x(), 0.8F * size_m.y());
-    EXPECT_GT(size_m.z(), 0.16F);
-    EXPECT_LT(GraspableBounds(bottle).max().z(), 0.75F * size_m.z());
+    ExpectFlatBottle(bottle, 0.75F);
+    EXPECT_GT(Bounds(bottle.mesh).sizes().z(), 0.16F);
   });
 }
 
 TEST(DrawBelliedMug, IsHeldByHandleAndRim) {
-  ForManyObjects(DrawBelliedMug, [](const Object& mug) {
-    ExpectSound(mug);
-    EXPECT_GT(Bounds(mug.mesh).max().x(), -Bounds(mug.mesh).min().x() + 0.015F) << "handle at +x";
-    EXPECT_GT(GraspableReach(mug, 0.6F), -Bounds(mug.mesh).min().x() + 0.015F) << "handle";
-    EXPECT_FLOAT_EQ(GraspableBounds(mug).max().z(), Bounds(mug.mesh).max().z()) << "rim";
-  });
+  ForManyObjects(DrawBelliedMug,
+                 [](const Object& mug) { ExpectMug(mug, -Bounds(mug.mesh).min().x() + 0.015F); });
 }
 
 TEST(DrawDetergentBottle, IsHeldByTheHandleAtItsFront) {
-  ForManyObjects(DrawDetergentBottle, [](const Object& bottle) {
-    ExpectSound(bottle);
-    const Eigen::AlignedBox3f held = GraspableBounds(bottle);
-    EXPECT_LT(held.sizes().y(), 0.04F);
-    EXPECT_GT(held.max().x(), 0.045F);
-    EXPECT_GT(held.min().z(), 0.08F);
-  });
+  ForManyObjects(DrawDetergentBottle,
+                 [](const Object& bottle) { ExpectJug(bottle, 0.045F, 0.08F); });
 }
 
 // The plane y = 0 through the handle: behind the handle there is air, then the body.
@@ -76,13 +66,7 @@ TEST(DrawDetergentBottle, LeavesRoomForFingersBehindTheHandle) {
 }
 
 TEST(DrawPlasticBottle, IsRoundAndHeldByItsWaist) {
-  ForManyObjects(DrawPlasticBottle, [](const Object& bottle) {
-    ExpectSound(bottle);
-    ExpectHalfTurnSymmetry(bottle);
-    const Eigen::AlignedBox3f box = Bounds(bottle.mesh);
-    EXPECT_NEAR(box.sizes().x(), box.sizes().y(), 1e-5F);
-    EXPECT_LT(GraspableBounds(bottle).max().z(), 0.66F * box.max().z());
-  });
+  ForManyObjects(DrawPlasticBottle, [](const Object& bottle) { ExpectRoundBottle(bottle); });
 }
 
 }  // namespace

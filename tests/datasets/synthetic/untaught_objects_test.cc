@@ -9,11 +9,16 @@ namespace handcraft::synthetic {
 namespace {
 
 using testing::ExpectCentred;
+using testing::ExpectFlatBottle;
 using testing::ExpectHalfTurnSymmetry;
+using testing::ExpectHeldBelow;
+using testing::ExpectJug;
+using testing::ExpectMug;
+using testing::ExpectRound;
+using testing::ExpectRoundBottle;
 using testing::ExpectSound;
 using testing::ForManyObjects;
 using testing::GraspableBounds;
-using testing::GraspableReach;
 
 TEST(DrawDvdCase, StandsThinAndIsHeldAbove) {
   ForManyObjects(DrawDvdCase, [](const Object& box) {
@@ -27,51 +32,29 @@ TEST(DrawDvdCase, StandsThinAndIsHeldAbove) {
 }
 
 TEST(DrawFlipTopBottle, IsFlatAndHeldInTheMiddle) {
-  ForManyObjects(DrawFlipTopBottle, [](const Object& bottle) {
-    ExpectSound(bottle);
-    ExpectHalfTurnSymmetry(bottle);
-    const Eigen::Vector3f size_m = Bounds(bottle.mesh).sizes();
-    EXPECT_LT(size_m.x(), 0.8F * size_m.y());
-    EXPECT_LT(GraspableBounds(bottle).max().z(), 0.7F * size_m.z()) << "below the cap";
-  });
+  ForManyObjects(DrawFlipTopBottle, [](const Object& bottle) { ExpectFlatBottle(bottle, 0.7F); });
 }
 
 TEST(DrawTaperedMug, IsWiderAboveAndHeldByHandleAndRim) {
-  ForManyObjects(DrawTaperedMug, [](const Object& mug) {
-    ExpectSound(mug);
-    EXPECT_GT(Bounds(mug.mesh).max().x(), -Bounds(mug.mesh).min().x() + 0.015F) << "handle at +x";
-    EXPECT_GT(GraspableReach(mug, 0.6F), 0.045F) << "handle";
-    EXPECT_FLOAT_EQ(GraspableBounds(mug).max().z(), Bounds(mug.mesh).max().z()) << "rim";
-  });
+  ForManyObjects(DrawTaperedMug, [](const Object& mug) { ExpectMug(mug, 0.045F); });
 }
 
 TEST(DrawSlantedJug, IsHeldByTheHandleAtItsFront) {
   ForManyObjects(DrawSlantedJug, [](const Object& jug) {
-    ExpectSound(jug);
-    const Eigen::AlignedBox3f held = GraspableBounds(jug);
-    EXPECT_LT(held.sizes().y(), 0.04F);
-    EXPECT_GT(held.max().x(), 0.035F);
-    EXPECT_GT(held.min().z(), 0.3F * Bounds(jug.mesh).max().z());
+    ExpectJug(jug, 0.035F, 0.3F * Bounds(jug.mesh).max().z());
   });
 }
 
 TEST(DrawWaterBottle, IsRoundAndHeldInTheMiddle) {
-  ForManyObjects(DrawWaterBottle, [](const Object& bottle) {
-    ExpectSound(bottle);
-    ExpectHalfTurnSymmetry(bottle);
-    const Eigen::AlignedBox3f box = Bounds(bottle.mesh);
-    EXPECT_NEAR(box.sizes().x(), box.sizes().y(), 1e-5F);
-    EXPECT_LT(GraspableBounds(bottle).max().z(), 0.66F * box.max().z());
-  });
+  ForManyObjects(DrawWaterBottle, [](const Object& bottle) { ExpectRoundBottle(bottle); });
 }
 
 TEST(DrawSaltContainer, IsACylinderHeldByItsSide) {
   ForManyObjects(DrawSaltContainer, [](const Object& salt) {
     ExpectSound(salt);
     ExpectCentred(salt);
-    const Eigen::AlignedBox3f box = Bounds(salt.mesh);
-    EXPECT_NEAR(box.sizes().x(), box.sizes().y(), 1e-5F);
-    EXPECT_LT(GraspableBounds(salt).max().z(), 0.9F * box.max().z());
+    ExpectRound(salt);
+    ExpectHeldBelow(salt, 0.9F);
   });
 }
 

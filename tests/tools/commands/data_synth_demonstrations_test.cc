@@ -1,34 +1,28 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <filesystem>
+#include <string>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include "datasets/formats/demonstration_set.h"
 #include "lib/core/file.h"
-#include "tests/support/temporary_directory.h"
-#include "tests/tools/support/run.h"
-#include "tests/tools/support/small_camera_file.h"
+#include "tests/tools/support/synth_test.h"
 
 namespace handcraft::tools {
 namespace {
 
-using handcraft::testing::TemporaryDirectory;
-using testing::CameraFile;
 using ::testing::HasSubstr;
 using testing::Outcome;
 using testing::RunLine;
 
-class DataSynthDemonstrations : public ::testing::Test {
+class DataSynthDemonstrations : public testing::SynthTest {
  protected:
   [[nodiscard]] Outcome Make(const std::string& options) const {
-    return RunLine("data synth demonstrations --out " + out_.string() +
-                   " --sensor perfect --camera " + CameraFile(folder_.path()) + " --views 1 " +
-                   options);
+    return Synth("demonstrations", "--sensor perfect --views 1 " + options);
   }
-
-  TemporaryDirectory folder_;
-  std::filesystem::path out_ = folder_ / "made";
 };
 
 TEST_F(DataSynthDemonstrations, MakesASetAndTellsOfIt) {

@@ -1,34 +1,29 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <filesystem>
+#include <string>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include "datasets/formats/view_set.h"
 #include "lib/core/file.h"
-#include "tests/support/temporary_directory.h"
-#include "tests/tools/support/run.h"
-#include "tests/tools/support/small_camera_file.h"
+#include "tests/tools/support/synth_test.h"
 
 namespace handcraft::tools {
 namespace {
 
-using handcraft::testing::TemporaryDirectory;
-using testing::CameraFile;
 using ::testing::HasSubstr;
 using testing::Outcome;
 using testing::RunLine;
 using ::testing::StartsWith;
 
-class DataSynthViews : public ::testing::Test {
+class DataSynthViews : public testing::SynthTest {
  protected:
   [[nodiscard]] Outcome Make(const std::string& kind, const std::string& options) const {
-    return RunLine("data synth " + kind + " --out " + out_.string() + " --camera " +
-                   CameraFile(folder_.path(), "baseline_m = 0.1\n") + " " + options);
+    return Synth(kind, options, "baseline_m = 0.1\n");
   }
-
-  TemporaryDirectory folder_;
-  std::filesystem::path out_ = folder_ / "made";
 };
 
 TEST_F(DataSynthViews, MakesATurntable) {
