@@ -4,8 +4,12 @@
 #include "datasets/view_set_faults.h"
 
 #include <cstddef>
+#include <optional>
+#include <utility>
 
 #include "datasets/fault_search.h"
+#include "datasets/formats/companion_file.h"
+#include "datasets/formats/labelled_image_set.h"
 #include "datasets/formats/set_fingerprint.h"
 
 namespace handcraft::datasets {
@@ -29,10 +33,20 @@ void FindFaultsOf(const LoadedView& view, const ObjectView& item, std::vector<Fa
 PictureFindings Examine(const ViewSet& set, std::size_t index) {
   const ObjectView& item = set.items[index];
   PictureFindings findings;
+  std::optional<PixelSize> picture_size;
   CollectFaults(set.root, findings.faults, [&] {
-    FindFaultsOf(ReadView(set, index), item, findings.faults);
+    const LoadedView view = ReadView(set, index);
+    picture_size = SizeOf(view.image);
+    FindFaultsOf(view, item, findings.faults);
     findings.image_digest = FileDigest(set.root / item.image);
   });
+  if (!picture_size) return findings;
+  for (const auto& [column, path] :
+       {std::pair(kDepth, item.depth), std::pair(kScene, item.scene)}) {
+    if (path.empty()) continue;
+    CollectFaults(
+        set.root, findings.faults, [&] { CheckCompanion(column, set.root / path, *picture_size); });
+  }
   return findings;
 }
 

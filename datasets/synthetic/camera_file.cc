@@ -13,8 +13,8 @@
 
 #include <toml++/toml.h>
 
+#include "datasets/formats/toml_file.h"
 #include "lib/core/error.h"
-#include "lib/core/file.h"
 #include "lib/core/option_rules.h"
 
 namespace handcraft::synthetic {
@@ -68,20 +68,10 @@ class CameraTable {
   const toml::table& table_;
 };
 
-toml::table Parse(const std::filesystem::path& path) {
-  try {
-    return toml::parse(ReadTextFile(path), path.string());
-  } catch (const toml::parse_error& error) {
-    throw Error({.path = path.string(),
-                 .line = error.source().begin.line,
-                 .reason = "not TOML: " + std::string(error.description())});
-  }
-}
-
 }  // namespace
 
 CameraFile ReadCameraFile(const std::filesystem::path& path) {
-  const toml::table root = Parse(path);
+  const toml::table root = datasets::ReadTomlFile(path);
   const toml::table* const found = root["camera"].as_table();
   if (found == nullptr) {
     throw Error({.path = path.string(),

@@ -15,6 +15,7 @@
 
 #include <toml++/toml.h>
 
+#include "datasets/formats/toml_file.h"
 #include "datasets/synthetic/draw.h"
 #include "datasets/synthetic/object_parts.h"
 #include "lib/core/error.h"
@@ -224,18 +225,6 @@ CatalogueMesh ParseMesh(const Entry& entry) {
   return mesh;
 }
 
-toml::table ParseToml(const fs::path& file) {
-  const std::string text = ReadTextFile(file);
-  try {
-    return toml::parse(text, file.string());
-  } catch (const toml::parse_error& error) {
-    throw Error({.path = file.string(),
-                 .line = error.source().begin.line,
-                 .reason = std::string(error.description()),
-                 .remedy = "see https://toml.io"});
-  }
-}
-
 std::string FingerprintOf(const fs::path& folder) {
   std::map<std::string, fs::path> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
@@ -280,7 +269,7 @@ MeshCatalogue ReadMeshCatalogue(const fs::path& folder) {
                  .reason = "holds no meshes.toml, which says what its meshes are",
                  .remedy = "docs/synthetic_data.md describes one"});
   }
-  const toml::table table = ParseToml(file);
+  const toml::table table = datasets::ReadTomlFile(file);
   const toml::array* const entries = table["mesh"].as_array();
   if (entries == nullptr || entries->empty() || table.size() != 1) {
     throw Error({.path = file.string(), .reason = "holds something else than tables [[mesh]]"});

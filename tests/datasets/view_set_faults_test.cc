@@ -56,6 +56,26 @@ TEST(ViewSetFaults, NameEveryFile) {
   expect_fault("c.png", "the same picture as a.png, which is in another split");
 }
 
+TEST(ViewSetFaults, NameDepthAndScene) {
+  const TemporaryDirectory folder;
+  ViewSet set = MakeViewSet(folder.path());
+  perception::WritePng16(folder / "depth.png", BasicImage<std::uint16_t>(8, 6));
+  WriteFileAtomically(folder / "scene.toml", "class = \"mug\"\n");
+  set.items[0].depth = "depth.png";
+  set.items[0].scene = "scene.toml";
+  EXPECT_THAT(FindFaults(set), IsEmpty());
+  fs::resize_file(folder / "depth.png", 40);
+  WriteFileAtomically(folder / "scene.toml", "x");
+  EXPECT_THAT(FindFaults(set),
+              ElementsAre(Field(&Fault::path, "depth.png"),
+                          AllOf(Field(&Fault::path, HasSubstr("scene.toml")),
+                                Field(&Fault::reason, HasSubstr("not TOML")))));
+  fs::remove(folder / "depth.png");
+  fs::remove(folder / "scene.toml");
+  EXPECT_THAT(FindFaults(set),
+              ElementsAre(Field(&Fault::path, "depth.png"), Field(&Fault::path, "scene.toml")));
+}
+
 TEST(ViewSetFaults, AreTheSameForAnyNumberOfThreads) {
   const TemporaryDirectory folder;
   ViewSet set = MakeViewSet(folder.path());

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <filesystem>
+
+#include <toml++/toml.h>
+
+namespace handcraft::datasets {
+
+/// Reads a TOML file. Throws Error naming path, line and fault when it cannot be read or is no
+/// TOML. Source: TOML v1.0.0.
+[[nodiscard]] toml::table ReadTomlFile(const std::filesystem::path& path);
+
+}  // namespace handcraft::datasets
