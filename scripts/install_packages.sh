@@ -21,6 +21,7 @@ build | ccache             | compiles only what changed
 build | libeigen3-dev      | matrices
 build | libopencv-dev      | reading and writing pictures
 build | libopenblas-dev    | fast matrix products for training
+build | liblapacke-dev     | eigenvectors and linear systems
 build | libcli11-dev       | command line
 build | nlohmann-json3-dev | JSON
 build | libtinyxml2-dev    | XML

@@ -31,6 +31,11 @@ std::span<const Benchmark> AllBenchmarks() {
                         "one core",
                 .run = &BenchmarkTrainIrls,
                 .reads_dataset = true},
+      Benchmark{.name = "pca_154188x500",
+                .what = "principal components of 154188 samples with 500 pixel features in memory, "
+                        "two threads",
+                .run = &BenchmarkPca,
+                .reads_dataset = true},
   };
   return kBenchmarks;
 }

@@ -52,5 +52,6 @@ BenchmarkResult BenchmarkScoreAll500Vga(const BenchmarkOptions& options);
 BenchmarkResult BenchmarkScoreEdges54Vga(const BenchmarkOptions& options);
 BenchmarkResult BenchmarkLoadModel(const BenchmarkOptions& options);
 BenchmarkResult BenchmarkTrainIrls(const BenchmarkOptions& options);
+BenchmarkResult BenchmarkPca(const BenchmarkOptions& options);
 
 }  // namespace handcraft::experiments

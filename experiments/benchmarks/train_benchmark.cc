@@ -3,52 +3,23 @@
 
 #include "experiments/benchmarks/train_benchmark.h"
 
-#include <stdlib.h>
-
 #include <chrono>
 #include <ctime>
 #include <limits>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "datasets/grasp_point_samples.h"
 #include "experiments/benchmarks/peak_memory.h"
 #include "experiments/benchmarks/scikit_learn_peer.h"
-#include "experiments/benchmarks/turned_pictures.h"
-#include "lib/core/error.h"
-#include "lib/core/parallel.h"
+#include "experiments/benchmarks/training_data.h"
 #include "trainers/logistic_irls/logistic_irls.h"
 
 namespace handcraft::experiments {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "handcraft-").string();
-    name += std::string(6, 'X');  // mkdtemp fills in
-    if (::mkdtemp(name.data()) == nullptr) {
-      throw Error({.path = name,
-                   .reason = "cannot make a folder there",
-                   .remedy = "set TMPDIR to a folder that can be written"});
-    }
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 struct Fit {
   double seconds = 0.0;            // median
@@ -71,30 +42,6 @@ Fit TrainOn(const datasets::GraspPointSamples& samples, int num_threads, int rep
                           static_cast<double>(CLOCKS_PER_SEC) / (repetitions + 1);
   return fit;
 }
-
-// The pixels that are drawn, and their features for any preset.
-class TrainingData {
- public:
-  TrainingData(const BenchmarkOptions& options,
-               std::size_t num_samples,
-               const std::filesystem::path& scratch)
-      : sampling_{.num_samples = num_samples,
-                  .num_threads = NumHardwareThreads(),
-                  .progress = options.progress},
-        pictures_(WriteTurnedPictures(
-            datasets::ReadLabelledImageSet(options.dataset), (num_samples + 1) / 2, scratch)),
-        pixels_(datasets::DrawSamples(pictures_, sampling_)) {}
-
-  [[nodiscard]] datasets::GraspPointSamples FeaturesOf(const char* preset) const {
-    return datasets::ComputeSampleFeatures(
-        pictures_, pixels_, features::ParseFeatureSpec(preset), sampling_);
-  }
-
- private:
-  datasets::SamplingOptions sampling_;
-  datasets::LabelledImageSet pictures_;
-  std::vector<datasets::PixelSample> pixels_;
-};
 
 double MeanLogLoss(const logistic::Summary& summary) {
   return 0.5 * summary.deviance / static_cast<double>(summary.num_samples);

@@ -15,7 +15,7 @@
 #include "lib/core/check.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
-#include "lib/model_io/linear_models.h"
+#include "lib/model_io/column_names.h"
 #include "lib/model_io/model_writer.h"
 
 namespace handcraft::experiments {

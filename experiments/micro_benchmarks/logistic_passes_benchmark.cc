@@ -10,10 +10,10 @@
 #include <benchmark/benchmark.h>
 
 #include "lib/core/rng.h"
+#include "lib/linear_algebra/single_threaded_blas.h"
 #include "trainers/logistic_irls/column_moments.h"
 #include "trainers/logistic_irls/hessian_factor.h"
 #include "trainers/logistic_irls/objective.h"
-#include "trainers/logistic_irls/single_threaded_blas.h"
 
 namespace handcraft::logistic {
 namespace {

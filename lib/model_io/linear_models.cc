@@ -3,16 +3,12 @@
 
 #include "lib/model_io/linear_models.h"
 
-#include <cstdlib>
-#include <ctime>
-#include <initializer_list>
 #include <utility>
 
 #include "lib/core/check.h"
-#include "lib/core/error.h"
 #include "lib/core/sha256.h"
-#include "lib/core/utf8.h"
 #include "lib/features/filter_bank.h"
+#include "lib/model_io/column_names.h"
 #include "lib/model_io/grasp_point_self_test.h"
 #include "lib/runtime/format.h"
 #include "lib/runtime/logistic_model.h"
@@ -32,53 +28,6 @@ Tensor Vector(std::vector<T> values) {
 template <class T>
 Tensor Scalar(T value) {
   return {std::vector<T>{value}, {1}};
-}
-
-void AddUnlessEmpty(const std::string& key, const std::string& value, Metadata& metadata) {
-  if (!value.empty()) metadata[key] = value;
-}
-
-// § 4: a time only if the builder fixes it (reproducible-builds.org), so that bytes stay the same.
-std::string CreationTime() {
-  const char* text = std::getenv("SOURCE_DATE_EPOCH");  // NOLINT(concurrency-mt-unsafe)
-  if (text == nullptr || *text == '\0') return "";
-  char* end = nullptr;
-  const std::time_t seconds = std::strtoll(text, &end, 10);
-  std::tm utc{};
-  if (*end != '\0' || ::gmtime_r(&seconds, &utc) == nullptr) {
-    throw Error({.kind = Error::Kind::kUsage,
-                 .reason = std::string("SOURCE_DATE_EPOCH is '") + text + "'",
-                 .remedy = "give seconds since 1970, or unset it"});
-  }
-  char buffer[32];
-  const std::size_t length = std::strftime(buffer, sizeof buffer, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return {buffer, length};
-}
-
-// § 4.1: what every model says about its origin.
-Metadata DescribeOrigin(const Provenance& provenance) {
-  Metadata metadata;
-  for (const auto& [key, value] : provenance.hyper_parameters) {
-    metadata["hc.training." + key] = value;
-  }
-  for (const auto& [key, value] : provenance.metrics) metadata["hc.metrics." + key] = value;
-  const std::initializer_list<std::pair<const char*, const std::string&>> fields = {
-      {"hc.name", provenance.name},
-      {"hc.version", provenance.version},
-      {"hc.task", provenance.task},
-      {"hc.licence", provenance.licence},
-      {"hc.intended_use", provenance.intended_use},
-      {"hc.limits", provenance.limits},
-      {"hc.training.algorithm", provenance.algorithm},
-      {"hc.training.data_fingerprint", provenance.data_fingerprint},
-      {"hc.training.class_counts", provenance.class_counts},
-      {"hc.parent", provenance.parent}};
-  for (const auto& [key, value] : fields) AddUnlessEmpty(key, value, metadata);
-  AddUnlessEmpty("hc.created", CreationTime(), metadata);
-  metadata["hc.tool"] = "handcraft " HANDCRAFT_VERSION;
-  metadata["hc.tool.compiler"] = HANDCRAFT_COMPILER;
-  AddUnlessEmpty("hc.tool.commit", HANDCRAFT_COMMIT, metadata);
-  return metadata;
 }
 
 // § 4.2: what a grasp-point model takes and gives.
@@ -156,25 +105,6 @@ void AddFeatureSpec(const features::FeatureSpec& spec, ModelFile& file) {
   file.metadata[std::string(format::kFeaturesHashKey)] = hash.HexDigest();
 }
 
-// § 6.1: names separated by newlines.
-std::vector<std::uint8_t> JoinColumnNames(const std::vector<std::string>& names) {
-  std::vector<std::uint8_t> joined;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i].empty() || names[i].find('\n') != std::string::npos) {
-      throw Error({.reason = "the name of column " + std::to_string(i + 1) +
-                             " is empty or has a line break",
-                   .remedy = "rename the column"});
-    }
-    if (!IsUtf8(names[i])) {
-      throw Error({.reason = "the name of column " + std::to_string(i + 1) + " is not UTF-8",
-                   .remedy = "rename the column"});
-    }
-    if (i > 0) joined.push_back('\n');
-    joined.insert(joined.end(), names[i].begin(), names[i].end());
-  }
-  return joined;
-}
-
 // § 6.2: the mean row, and the rows one scale off it in turns, up first and down first.
 void AddLogisticSelfTest(const LinearModel& model, ModelFile& file) {
   constexpr std::size_t kNumRows = 3;
@@ -249,26 +179,6 @@ ModelFile MakeLogisticModel(const std::vector<std::string>& column_names,
   AddNormaliser(model, file);
   AddLogisticSelfTest(model, file);
   return file;
-}
-
-std::vector<std::string> ColumnNamesOf(const ModelFile& model) {
-  const auto found = model.tensors.find("column_names");
-  const auto* bytes = found == model.tensors.end()
-                          ? nullptr
-                          : std::get_if<std::vector<std::uint8_t>>(&found->second.values);
-  if (bytes == nullptr) {
-    throw Error(
-        {.reason = "the model has no column names", .remedy = "give a model of kind logistic"});
-  }
-  std::vector<std::string> names(1);
-  for (const std::uint8_t byte : *bytes) {
-    if (byte == '\n') {
-      names.emplace_back();
-    } else {
-      names.back() += static_cast<char>(byte);
-    }
-  }
-  return names;
 }
 
 }  // namespace handcraft::model_io

@@ -3,31 +3,14 @@
 
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
 #include "lib/features/feature_spec.h"
 #include "lib/model_io/model_writer.h"
+#include "lib/model_io/provenance.h"
 
 namespace handcraft::model_io {
-
-/// What every model file says about its origin (metadata, docs/model_format.md). Empty strings are
-/// left out.
-struct Provenance {
-  std::string name = {};
-  std::string version = "1";
-  std::string task = {};
-  std::string licence = {};
-  std::string intended_use = {};
-  std::string limits = {};
-  std::string algorithm = {};                                ///< "logistic_irls"
-  std::string data_fingerprint = {};                         ///< SHA-256 of the training data
-  std::string class_counts = {};                             ///< "0: 77094, 1: 77094"
-  std::string parent = {};                                   ///< SHA-256 of the model it began with
-  std::map<std::string, std::string> hyper_parameters = {};  ///< written as hc.training.<key>
-  std::map<std::string, std::string> metrics = {};           ///< written as hc.metrics.<key>
-};
 
 /// z = intercept + Σ weights · x on raw inputs: the normaliser is already folded in;
 /// feature_mean and feature_scale say what it was (both empty: there was none).
@@ -54,9 +37,5 @@ struct LinearModel {
                                           const std::string& positive_label,
                                           const LinearModel& model,
                                           const Provenance& provenance);
-
-/// The columns of a model of kind "logistic", in the order of its weights. Throws Error(kBadInput)
-/// for another kind.
-[[nodiscard]] std::vector<std::string> ColumnNamesOf(const ModelFile& model);
 
 }  // namespace handcraft::model_io

@@ -13,16 +13,17 @@
 
 #include <fmt/format.h>
 
+#include "lib/core/binary_labels.h"
 #include "lib/core/check.h"
 #include "lib/core/error.h"
 #include "lib/core/option_rules.h"
+#include "lib/linear_algebra/single_threaded_blas.h"
 #include "trainers/logistic_irls/column_moments.h"
 #include "trainers/logistic_irls/downhill_step.h"
 #include "trainers/logistic_irls/hessian_factor.h"
 #include "trainers/logistic_irls/hessian_policy.h"
 #include "trainers/logistic_irls/newton_descent.h"
 #include "trainers/logistic_irls/objective.h"
-#include "trainers/logistic_irls/single_threaded_blas.h"
 #include "trainers/logistic_irls/sketched_descent.h"
 
 namespace handcraft::logistic {
@@ -44,20 +45,7 @@ void CheckInput(const DesignMatrix<T>& X, std::span<const std::uint8_t> labels) 
              "the design matrix is empty: {} samples, {} features", X.num_samples, X.num_features),
          .remedy = "give at least one sample of each class and one feature"});
   }
-  const auto wrong = std::find_if(labels.begin(), labels.end(), [](auto y) { return y > 1; });
-  if (wrong != labels.end()) {
-    throw Error({.reason = fmt::format("label of row {} (counted from 0) is {}: labels are 0 or 1",
-                                       wrong - labels.begin(),
-                                       *wrong),
-                 .remedy = "map the two classes to 0 and 1"});
-  }
-  const auto num_positive = std::count(labels.begin(), labels.end(), std::uint8_t{1});
-  if (num_positive == 0 || static_cast<std::size_t>(num_positive) == labels.size()) {
-    throw Error({.reason = fmt::format("all {} labels are {}: there is nothing to tell apart",
-                                       labels.size(),
-                                       num_positive == 0 ? 0 : 1),
-                 .remedy = "add samples of the other class"});
-  }
+  static_cast<void>(CountPositive(labels));
 }
 
 // The model with an intercept alone, where every descent starts.

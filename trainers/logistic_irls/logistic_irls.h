@@ -10,20 +10,12 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/core/design_matrix.h"
 #include "lib/core/progress.h"
 
 namespace handcraft::logistic {
 
-/// Row-major num_samples × num_features numbers in the caller's memory.
-template <class T>
-struct DesignMatrix {
-  const T* data = nullptr;
-  std::size_t num_samples = 0;
-  std::size_t num_features = 0;
-  std::size_t stride = 0;  ///< numbers from one row to the next, ≥ num_features
-
-  [[nodiscard]] const T* Row(std::size_t i) const noexcept { return data + i * stride; }
-};
+using handcraft::DesignMatrix;
 
 /// Arithmetic of the Hessian. Gradient and deviance are always double, so the optimum is the same.
 enum class HessianPrecision { kAuto, kSingle, kDouble };

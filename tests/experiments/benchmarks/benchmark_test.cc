@@ -18,8 +18,11 @@ TEST(AllBenchmarks, HaveNamesOfTheirOwn) {
     EXPECT_FALSE(benchmark.what.empty());
     EXPECT_NE(benchmark.run, nullptr);
   }
-  for (const char* name :
-       {"score_all500_vga", "score_edges54_vga", "load_model", "train_irls_154188x500"}) {
+  for (const char* name : {"score_all500_vga",
+                           "score_edges54_vga",
+                           "load_model",
+                           "train_irls_154188x500",
+                           "pca_154188x500"}) {
     EXPECT_TRUE(names.contains(name)) << name;
   }
 }

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "datasets/formats/labelled_image_set.h"
+#include "tests/experiments/benchmarks/two_pictures.h"
 #include "tests/support/temporary_directory.h"
 
 namespace handcraft::experiments {
@@ -18,17 +18,7 @@ namespace {
 // Two of the sample pictures and few samples; no limit on times.
 TEST(TrainBenchmark, FillsEveryFigure) {
   const testing::TemporaryDirectory folder;
-  datasets::LabelledImageSet set = datasets::ReadLabelledImageSet(
-      std::string(HANDCRAFT_SOURCE_DIR) + "/datasets/samples/cornell_mini");
-  set.items.resize(2);
-  std::filesystem::create_directories(folder / "images");
-  std::filesystem::create_directories(folder / "masks");
-  for (const datasets::LabelledImage& item : set.items) {
-    std::filesystem::copy(set.root / item.image, folder / item.image);
-    std::filesystem::copy(set.root / item.mask, folder / item.mask);
-  }
-  set.root = folder.path();
-  datasets::WriteManifest(set);
+  CopyTwoPictures(folder.path());
 
   const BenchmarkResult result = BenchmarkTraining({.dataset = folder.path()},
                                                    {.num_samples = 2500,

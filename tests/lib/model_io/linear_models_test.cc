@@ -4,10 +4,10 @@
 #include "lib/model_io/linear_models.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <stdexcept>
 
 #include "lib/core/error.h"
+#include "lib/model_io/column_names.h"
 #include "lib/runtime/handcraft_runtime.h"
 #include "tests/lib/runtime/some_models.h"
 #include "tests/support/expect_throws_message.h"
@@ -79,12 +79,6 @@ TEST(MakeLogisticModel, RefusesSizesThatDoNotFit) {
                std::logic_error);
 }
 
-TEST(ColumnNamesOf, RefusesAnotherKind) {
-  EXPECT_THROWS_MESSAGE(ColumnNamesOf(testing::SomeGraspPointModel("edges54")),
-                        Error,
-                        HasSubstr("give a model of kind logistic"));
-}
-
 TEST(MakeGraspPointModel, HoldsTheNumbersItWasGiven) {
   const features::FeatureSpec spec = features::ParseFeatureSpec("filters=edge_30+cb_LL,window=1");
   LinearModel linear{.weights = {0.1, -0.2},
@@ -131,15 +125,6 @@ TEST(MakeGraspPointModel, WritesItsOrigin) {
   EXPECT_FALSE(model.metadata.at("hc.tool.compiler").empty());
   EXPECT_EQ(model.metadata.count("hc.task"), 0U) << "empty texts are left out";
   EXPECT_EQ(model.metadata.count("hc.created"), 0U);
-}
-
-TEST(MakeGraspPointModel, WritesATimeOnlyWhenItIsFixed) {
-  ASSERT_EQ(::setenv("SOURCE_DATE_EPOCH", "1700000000", 1), 0);
-  EXPECT_EQ(testing::SomeLogisticModel().metadata.at("hc.created"), "2023-11-14T22:13:20Z");
-  ASSERT_EQ(::setenv("SOURCE_DATE_EPOCH", "today", 1), 0);
-  EXPECT_THROWS_MESSAGE(
-      testing::SomeLogisticModel(), Error, HasSubstr("SOURCE_DATE_EPOCH is 'today'"));
-  ASSERT_EQ(::unsetenv("SOURCE_DATE_EPOCH"), 0);
 }
 
 TEST(MakeGraspPointModel, RefusesSizesThatDoNotFit) {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "trainers/logistic_irls/single_threaded_blas.h"
+#include "lib/linear_algebra/single_threaded_blas.h"
 
 #include <gtest/gtest.h>
 
-namespace handcraft::logistic {
+namespace handcraft {
 namespace {
 
 TEST(SingleThreadedBlas, HoldsBlasToOneThreadAndRestores) {
@@ -24,4 +24,4 @@ TEST(SingleThreadedBlas, HoldsBlasToOneThreadAndRestores) {
 }
 
 }  // namespace
-}  // namespace handcraft::logistic
+}  // namespace handcraft

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "trainers/logistic_irls/single_threaded_blas.h"
+#include "lib/linear_algebra/single_threaded_blas.h"
 
 #include <dlfcn.h>
 
@@ -9,7 +9,7 @@
 #include <functional>
 #include <mutex>
 
-namespace handcraft::logistic {
+namespace handcraft {
 namespace {
 
 struct ThreadControl {
@@ -65,4 +65,4 @@ SingleThreadedBlas::~SingleThreadedBlas() {
 
 int SingleThreadedBlas::NumThreads() { return !Control().get ? 1 : Control().get(); }
 
-}  // namespace handcraft::logistic
+}  // namespace handcraft

@@ -3,7 +3,7 @@
 
 #pragma once
 
-namespace handcraft::logistic {
+namespace handcraft {
 
 /// While an object of this class lives, BLAS works in the calling thread alone, so that our own
 /// threads are the only ones; the former setting comes back when the last object goes.
@@ -22,4 +22,4 @@ class SingleThreadedBlas {
   [[nodiscard]] static int NumThreads();
 };
 
-}  // namespace handcraft::logistic
+}  // namespace handcraft
