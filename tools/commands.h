@@ -26,11 +26,14 @@ void AddDataSynthMoved(CLI::App& parent, const Console& console);
 void AddDataSynthRegrasp(CLI::App& parent, const Console& console);
 void AddDataSynthTurntable(CLI::App& parent, const Console& console);
 void AddTrainGraspPoints(CLI::App& parent, const Console& console);
+void AddTrainLda(CLI::App& parent, const Console& console);
 void AddTrainLogistic(CLI::App& parent, const Console& console);
 void AddEvaluate(CLI::App& parent, const Console& console);
 void AddPredict(CLI::App& parent, const Console& console);
 void AddInspect(CLI::App& parent, const Console& console);
 void AddCheckModel(CLI::App& parent, const Console& console);
+void AddStudy(CLI::App& parent, const Console& console);
+void AddStudyFeatureAnalysis(CLI::App& parent, const Console& console);
 void AddBench(CLI::App& parent, const Console& console);
 
 }  // namespace handcraft::tools

@@ -63,11 +63,13 @@ void AddCommands(CLI::App& app, const Console& console) {
   AddDataSynth(data, console);
   CLI::App& train = AddGroup(app, "train", "Fit a model and write it to a file");
   AddTrainGraspPoints(train, console);
+  AddTrainLda(train, console);
   AddTrainLogistic(train, console);
   AddEvaluate(app, console);
   AddPredict(app, console);
   AddInspect(app, console);
   AddCheckModel(app, console);
+  AddStudy(app, console);
   AddBench(app, console);
   RefuseEmptyPaths(app);
 }

@@ -22,31 +22,30 @@ const std::map<std::string, logistic::HessianPrecision>& PrecisionNames() {
 }  // namespace
 
 void AddLogisticOptions(CLI::App& command, logistic::Options& options) {
-  const std::string group = "Logistic regression";
   AddNumber(command,
             "--ridge",
             options,
             &logistic::Options::ridge,
             "Penalty λ in deviance/2 + λ/2·‖w‖², on standardised features")
-      ->group(group);
+      ->group(kLogisticGroup);
   AddNumber(command,
             "--max-iterations",
             options,
             &logistic::Options::max_iterations,
             "Newton steps at most")
-      ->group(group);
+      ->group(kLogisticGroup);
   AddNumber(command,
             "--gradient-tolerance",
             options,
             &logistic::Options::gradient_tolerance,
             "Converged when the gradient's largest entry per sample is below")
-      ->group(group);
+      ->group(kLogisticGroup);
   AddNumber(command,
             "--warm-start",
             options,
             &logistic::Options::warm_start_share,
             "Share of the samples that the first Hessians are estimated from; 0: all")
-      ->group(group);
+      ->group(kLogisticGroup);
   command
       .add_option_function<std::string>(
           "--hessian",
@@ -57,7 +56,7 @@ void AddLogisticOptions(CLI::App& command, logistic::Options& options) {
       ->check(CLI::IsMember({"auto", "single", "double"}))
       ->type_name("NAME")
       ->default_str("auto")
-      ->group(group);
+      ->group(kLogisticGroup);
 }
 
 }  // namespace handcraft::tools

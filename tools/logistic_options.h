@@ -9,6 +9,9 @@
 
 namespace handcraft::tools {
 
+/// The group, in --help, of the options below.
+inline constexpr const char* kLogisticGroup = "Logistic regression";
+
 /// The trainer's options, shared by `train grasp-points` and `train logistic`.
 void AddLogisticOptions(CLI::App& command, logistic::Options& options);
 

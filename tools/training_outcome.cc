@@ -3,17 +3,15 @@
 
 #include "tools/training_outcome.h"
 
-#include <algorithm>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "lib/core/error.h"
+#include "tools/feature_names.h"
 
 namespace handcraft::tools {
 namespace {
-
-constexpr std::size_t kMaxNamesShown = 5;
 
 std::string_view RemedyFor(logistic::Termination termination) noexcept {
   switch (termination) {
@@ -24,18 +22,6 @@ std::string_view RemedyFor(logistic::Termination termination) noexcept {
     default:
       return "give --ridge 1 or --hessian double";
   }
-}
-
-std::string FirstNames(const std::vector<std::size_t>& indices,
-                       const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(indices.size(), kMaxNamesShown); ++i) {
-    text += (i > 0 ? ", " : "") + names.at(indices[i]);
-  }
-  if (indices.size() > kMaxNamesShown) {
-    text += fmt::format(" and {} more", indices.size() - kMaxNamesShown);
-  }
-  return text;
 }
 
 }  // namespace

@@ -39,12 +39,16 @@ std::optional<nlohmann::json> RunPythonPeer(std::string_view script,
   WriteFileAtomically(program, script);
   std::string settings;
   for (const char* name : {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"}) {
-    settings += std::string(name) + "=" + std::to_string(num_threads) + " ";
+    settings.append(name).append("=").append(std::to_string(num_threads)).append(" ");
   }
   std::string words = " " + Quoted(program.string());
-  for (const std::filesystem::path& argument : arguments) words += " " + Quoted(argument.string());
+  for (const std::filesystem::path& argument : arguments) {
+    words.append(" ").append(Quoted(argument.string()));
+  }
   for (const std::string python : {"python3", "/usr/bin/python3"}) {
-    const auto output = OutputOf(settings + python + words + " 2>/dev/null");
+    std::string command = settings;
+    command.append(python).append(words).append(" 2>/dev/null");
+    const auto output = OutputOf(command);
     if (!output) continue;
     nlohmann::json json = nlohmann::json::parse(*output, nullptr, false);
     if (!json.is_discarded()) return json;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -17,6 +18,7 @@
 #include "datasets/formats/labelled_image_set.h"
 #include "datasets/grasp_point_samples.h"
 #include "experiments/evaluation/grasp_point_evaluation.h"
+#include "experiments/metrics/confusion_percent.h"
 #include "lib/core/error.h"
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
@@ -26,13 +28,12 @@
 #include "lib/model_io/model_writer.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
+#include "tools/feature_names.h"
 #include "tools/held_out_figures.h"
 #include "tools/labelled_pixels.h"
-#include "tools/logistic_options.h"
+#include "tools/pixel_fit.h"
 #include "tools/progress_bar.h"
 #include "tools/text_table.h"
-#include "tools/training_outcome.h"
-#include "trainers/logistic_irls/logistic_irls.h"
 
 namespace handcraft::tools {
 namespace {
@@ -43,17 +44,9 @@ struct TrainGraspPointsOptions {
   std::string name = "grasp_points";
   std::string held_out = "test";
   bool held_out_is_given = false;
-  logistic::Options logistic;
+  PixelFitOptions fit;
   bool json = false;
 };
-
-// Draws and threads are those of the pixels.
-logistic::Options TrainerOptions(const TrainGraspPointsOptions& options) {
-  logistic::Options logistic = options.logistic;
-  logistic.seed = options.pixels.sampling.seed;
-  logistic.num_threads = options.pixels.sampling.num_threads;
-  return logistic;
-}
 
 // What training leaves behind, for the model file and for the screen.
 struct Training {
@@ -61,16 +54,9 @@ struct Training {
   datasets::LabelledImageSet set;
   std::optional<datasets::LabelledImageSet> held_out;
   std::size_t num_images = 0;  // that gave samples
-  logistic::Result result;
+  PixelFit fit;
   std::optional<experiments::GraspPointEvaluation> evaluation;  // on held_out
 };
-
-std::vector<std::string> FeatureNames(const features::FeatureSpec& spec) {
-  std::vector<std::string> names;
-  names.reserve(static_cast<std::size_t>(spec.NumFeatures()));
-  for (int i = 0; i < spec.NumFeatures(); ++i) names.push_back(features::FeatureName(spec, i));
-  return names;
-}
 
 // The images to measure on, if there are any that training does not see. A split that was asked
 // for must be there; the one by default need not.
@@ -103,21 +89,14 @@ Training Train(const TrainGraspPointsOptions& options, const Console& console) {
   training.spec = pixels.spec;
   training.set = std::move(pixels.set);
   training.num_images = pixels.num_images;
-  const datasets::GraspPointSamples& samples = pixels.samples;
-  const logistic::DesignMatrix<float> matrix{.data = samples.features.data(),
-                                             .num_samples = samples.num_samples(),
-                                             .num_features = samples.num_features,
-                                             .stride = samples.num_features};
-  ProgressBar bar(console);
-  logistic::Options logistic = TrainerOptions(options);
-  logistic.progress = bar.Callback();
-  training.result = logistic::TrainLogistic<float>(matrix, samples.labels, logistic);
+  training.fit = FitPixels(
+      pixels.samples, FeatureNames(training.spec), options.fit, options.pixels.sampling, console);
   return training;
 }
 
 model_io::Provenance ProvenanceOf(const TrainGraspPointsOptions& options,
                                   const Training& training) {
-  const logistic::Summary& summary = training.result.summary;
+  const PixelFit& fit = training.fit;
   model_io::Provenance provenance{
       .name = options.name,
       .task = "grasp_point",
@@ -125,20 +104,15 @@ model_io::Provenance ProvenanceOf(const TrainGraspPointsOptions& options,
                              fmt::join(datasets::LicencesOf(training.set), "; ")),
       .intended_use = "ranks the pixels of a picture by how likely a gripper can close there",
       .limits = "sees local texture and edges alone: best on scenes like the training pictures",
-      .algorithm = "logistic_irls",
+      .algorithm = fit.algorithm,
       .data_fingerprint = datasets::Fingerprint(training.set),
-      .class_counts = fmt::format(
-          "0: {}, 1: {}", summary.num_samples - summary.num_positive, summary.num_positive)};
+      .class_counts =
+          fmt::format("0: {}, 1: {}", fit.num_samples - fit.num_positive, fit.num_positive)};
   provenance.hyper_parameters = FieldsToText(options.pixels.sampling, "sampling.");
-  provenance.hyper_parameters.merge(FieldsToText(TrainerOptions(options), "irls."));
+  provenance.hyper_parameters.insert(fit.hyper_parameters.begin(), fit.hyper_parameters.end());
   provenance.hyper_parameters["split"] = options.pixels.split;
-  provenance.metrics = {{"train.num_samples", NumberToText(summary.num_samples)},
-                        {"train.num_images", NumberToText(training.num_images)},
-                        {"train.deviance", NumberToText(summary.deviance)},
-                        {"train.null_deviance", NumberToText(summary.null_deviance)},
-                        {"train.gradient_norm", NumberToText(summary.gradient_norm)},
-                        {"train.iterations", NumberToText(summary.iterations)},
-                        {"train.termination", std::string(NameOf(summary.termination))}};
+  provenance.metrics = fit.metrics;
+  provenance.metrics["train.num_images"] = NumberToText(training.num_images);
   if (training.evaluation)
     provenance.metrics.merge(MetadataOf(*training.evaluation, options.held_out));
   return provenance;
@@ -146,12 +120,8 @@ model_io::Provenance ProvenanceOf(const TrainGraspPointsOptions& options,
 
 std::vector<std::uint8_t> ModelBytes(const TrainGraspPointsOptions& options,
                                      const Training& training) {
-  const model_io::LinearModel model{.weights = training.result.weights,
-                                    .intercept = training.result.intercept,
-                                    .feature_mean = training.result.feature_mean,
-                                    .feature_scale = training.result.feature_scale};
-  return model_io::Serialise(
-      model_io::MakeGraspPointModel(training.spec, model, ProvenanceOf(options, training)));
+  return model_io::Serialise(model_io::MakeGraspPointModel(
+      training.spec, training.fit.model, ProvenanceOf(options, training)));
 }
 
 // Measures the model on the images held out. What is wrong with those must not cost the model.
@@ -172,6 +142,9 @@ void MeasureHeldOut(const TrainGraspPointsOptions& options,
   }
 }
 
+// Of the pixels that the dissertation tested linear discriminant analysis on.
+const double kDissertationBadShare = experiments::BadShareOf(experiments::kDissertationLda);
+
 nlohmann::ordered_json HeldOutJson(const Training& training) {
   if (!training.evaluation) return nullptr;
   const experiments::GroupFigures& all = training.evaluation->all;
@@ -180,7 +153,10 @@ nlohmann::ordered_json HeldOutJson(const Training& training) {
           {"auc_low", all.auc.low},
           {"auc_high", all.auc.high},
           {"accuracy", all.accuracy.value},
-          {"log_loss", all.log_loss}};
+          {"log_loss", all.log_loss},
+          {"confusion_percent", experiments::PercentOf(all.confusion)},
+          {"confusion_percent_at_dissertation_ratio",
+           experiments::PercentAtBadShare(all.confusion, kDissertationBadShare)}};
 }
 
 // What cannot be formed is NaN, shown as a dash.
@@ -197,37 +173,54 @@ std::string HeldOutText(const experiments::GroupFigures& all, const std::string&
 }
 
 // Mean over samples of −ln(probability given to the right label).
-double LogLossOf(const logistic::Summary& summary) {
-  return summary.deviance / (2.0 * static_cast<double>(summary.num_samples));
+double LogLossOf(double deviance, const PixelFit& fit) {
+  return deviance / (2.0 * static_cast<double>(fit.num_samples));
+}
+
+// The confusion matrix of section 3.1.4 beside ours: as measured, and at its class ratio.
+std::string ConfusionText(const experiments::ConfusionMatrix& confusion) {
+  const auto ours = experiments::PercentOf(confusion);
+  const auto weighted = experiments::PercentAtBadShare(confusion, kDissertationBadShare);
+  TextTable table({"percent of held-out pixels", "ours", "at its class ratio", "dissertation"});
+  const std::array names = {std::array{"bad, called bad", "bad, called good"},
+                            std::array{"good, called bad", "good, called good"}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t j = 0; j < 2; ++j) {
+      table.AddRow({names[i][j],
+                    fmt::format("{:.2f}", ours[i][j]),
+                    fmt::format("{:.2f}", weighted[i][j]),
+                    fmt::format("{:.2f}", experiments::kDissertationLda[i][j])});
+    }
+  }
+  return table.ToText();
 }
 
 void PrintJson(const Console& console,
                const TrainGraspPointsOptions& options,
                const Training& training,
                const std::string& sha256) {
-  const logistic::Summary& summary = training.result.summary;
-  console.Print({{"model", options.out},
-                 {"sha256", sha256},
-                 {"features", features::ToString(training.spec)},
-                 {"num_features", training.spec.NumFeatures()},
-                 {"num_images", training.num_images},
-                 {"num_samples", summary.num_samples},
-                 {"num_good", summary.num_positive},
-                 {"log_loss", LogLossOf(summary)},
-                 {"deviance", summary.deviance},
-                 {"null_deviance", summary.null_deviance},
-                 {"gradient_norm", summary.gradient_norm},
-                 {"iterations", summary.iterations},
-                 {"termination", NameOf(summary.termination)},
-                 {"message", summary.message},
-                 {"held_out", HeldOutJson(training)}});
+  const PixelFit& fit = training.fit;
+  nlohmann::ordered_json json{{"model", options.out},
+                              {"sha256", sha256},
+                              {"features", features::ToString(training.spec)},
+                              {"num_features", training.spec.NumFeatures()},
+                              {"num_images", training.num_images},
+                              {"num_samples", fit.num_samples},
+                              {"num_good", fit.num_positive},
+                              {"algorithm", fit.algorithm},
+                              {"log_loss", LogLossOf(fit.deviance, fit)},
+                              {"deviance", fit.deviance},
+                              {"null_deviance", fit.null_deviance}};
+  json.update(fit.json);
+  json["held_out"] = HeldOutJson(training);
+  console.Print(json);
 }
 
 void PrintText(const Console& console,
                const TrainGraspPointsOptions& options,
                const Training& training,
                const std::string& sha256) {
-  const logistic::Summary& summary = training.result.summary;
+  const PixelFit& fit = training.fit;
   TextTable table;
   table.AddRow({"images",
                 fmt::format("{} of {} ({})",
@@ -236,30 +229,30 @@ void PrintText(const Console& console,
                             options.pixels.split.empty() ? "all" : options.pixels.split)});
   table.AddRow({"samples",
                 fmt::format("{} ({} good, {} bad)",
-                            summary.num_samples,
-                            summary.num_positive,
-                            summary.num_samples - summary.num_positive)});
+                            fit.num_samples,
+                            fit.num_positive,
+                            fit.num_samples - fit.num_positive)});
   table.AddRow(
       {"features", fmt::format("{} ({})", training.spec.NumFeatures(), options.pixels.features)});
   table.AddRow({"log-loss",
                 fmt::format("{:.6f} (without features {:.6f})",
-                            LogLossOf(summary),
-                            LogLossOf(summary) * summary.null_deviance / summary.deviance)});
-  table.AddRow(
-      {"training",
-       fmt::format("{}, gradient {:.1e} a sample", summary.message, summary.gradient_norm)});
+                            LogLossOf(fit.deviance, fit),
+                            LogLossOf(fit.null_deviance, fit))});
+  table.AddRow({"training", fit.message});
   if (training.evaluation) {
     table.AddRow({"held out", HeldOutText(training.evaluation->all, options.held_out)});
   }
   table.AddRow({"model", options.out});
   table.AddRow({"sha256", sha256});
   console.out << table.ToText();
+  if (training.evaluation && options.fit.method == FitMethod::kLda) {
+    console.out << '\n' << ConfusionText(training.evaluation->all.confusion);
+  }
 }
 
 void RunTrainGraspPoints(const TrainGraspPointsOptions& options, const Console& console) {
   RequireWritable(options.out);
   Training training = Train(options, console);
-  RequireUsable(training.result.summary, FeatureNames(training.spec), console);
   MeasureHeldOut(options, console, training);
   const std::vector<std::uint8_t> bytes = ModelBytes(options, training);
   WriteFileAtomically(options.out, bytes);
@@ -287,13 +280,14 @@ void AddTrainGraspPoints(CLI::App& parent, const Console& console) {
   command->add_option("--name", options->name, "Name of the model, stored in it")
       ->capture_default_str();
   AddJsonFlag(*command, options->json);
-  AddLogisticOptions(*command, options->logistic);
+  AddPixelFitOptions(*command, options->fit);
   SetExample(*command,
              "handcraft train grasp-points datasets/samples/cornell_mini "
              "--out grasp_points.safetensors");
   command->callback([options, command, held_out, &console] {
     options->held_out_is_given = held_out->count() > 0;
     RefuseUnreadOptions(*command, options->pixels);
+    RefuseOptionsOfOtherMethods(*command, options->fit);
     RunTrainGraspPoints(*options, console);
   });
 }

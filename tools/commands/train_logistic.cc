@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <array>
 #include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <memory>
 #include <ostream>
@@ -11,21 +9,17 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "datasets/formats/table.h"
-#include "lib/core/error.h"
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
-#include "lib/core/sha256.h"
-#include "lib/model_io/linear_models.h"
-#include "lib/model_io/model_writer.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "tools/logistic_options.h"
 #include "tools/progress_bar.h"
 #include "tools/training_outcome.h"
+#include "tools/training_table.h"
 #include "trainers/logistic_irls/logistic_irls.h"
 #include "trainers/logistic_irls/summary_text.h"
 
@@ -93,66 +87,46 @@ Json ToJson(const TrainLogisticOptions& options,
 }
 
 std::vector<std::uint8_t> ModelBytes(const TrainLogisticOptions& options,
-                                     const datasets::Table& table,
-                                     const datasets::BinaryLabels& labels,
+                                     const TrainingTable& table,
                                      const logistic::Result& result) {
   const logistic::Summary& summary = result.summary;
-  const model_io::Provenance provenance{
-      .name = options.name,
-      .task = "logistic",
-      .intended_use = "probability of the label '" + labels.positive +
-                      "' of a row like those of "
-                      "the training table",
-      .algorithm = "logistic_irls",
-      .data_fingerprint = Sha256Hex(ReadFile(options.table)),
-      .class_counts = fmt::format(
-          "0: {}, 1: {}", summary.num_samples - summary.num_positive, summary.num_positive),
-      .hyper_parameters = FieldsToText(options.logistic, "irls."),
-      .metrics = {{"train.deviance", NumberToText(summary.deviance)},
-                  {"train.null_deviance", NumberToText(summary.null_deviance)},
-                  {"train.aic", NumberToText(summary.aic)},
-                  {"train.gradient_norm", NumberToText(summary.gradient_norm)},
-                  {"train.iterations", NumberToText(summary.iterations)},
-                  {"train.termination", std::string(NameOf(summary.termination))},
-                  {"train.num_samples", NumberToText(summary.num_samples)}}};
-  const model_io::LinearModel model{.weights = result.weights,
-                                    .intercept = result.intercept,
-                                    .feature_mean = result.feature_mean,
-                                    .feature_scale = result.feature_scale};
-  return model_io::Serialise(model_io::MakeLogisticModel(
-      table.columns, table.label_column, labels.negative, labels.positive, model, provenance));
+  return TableModelBytes(
+      table,
+      {.weights = result.weights,
+       .intercept = result.intercept,
+       .feature_mean = result.feature_mean,
+       .feature_scale = result.feature_scale},
+      {.name = options.name,
+       .algorithm = "logistic_irls",
+       .hyper_parameters = FieldsToText(options.logistic, "irls."),
+       .metrics = {{"train.deviance", NumberToText(summary.deviance)},
+                   {"train.null_deviance", NumberToText(summary.null_deviance)},
+                   {"train.aic", NumberToText(summary.aic)},
+                   {"train.gradient_norm", NumberToText(summary.gradient_norm)},
+                   {"train.iterations", NumberToText(summary.iterations)},
+                   {"train.termination", std::string(NameOf(summary.termination))},
+                   {"train.num_samples", NumberToText(summary.num_samples)}}});
 }
 
 logistic::Result Train(const TrainLogisticOptions& options,
-                       const datasets::Table& table,
-                       const datasets::BinaryLabels& labels,
+                       const TrainingTable& table,
                        const Console& console) {
   ProgressBar bar(console);
   logistic::Options logistic = options.logistic;
   logistic.progress = bar.Callback();
-  const logistic::DesignMatrix<double> matrix{.data = table.values.data(),
-                                              .num_samples = table.num_rows,
-                                              .num_features = table.columns.size(),
-                                              .stride = table.columns.size()};
-  try {
-    return logistic::TrainLogistic<double>(matrix, labels.values, logistic);
-  } catch (const Error& error) {  // the trainer knows no file
-    Error::Details details = error.details();
-    if (details.path.empty()) details.path = options.table;
-    throw Error(std::move(details));
-  }
+  return NamingTable(table, [&] {
+    return logistic::TrainLogistic(table.Matrix(), table.labels.values, logistic);
+  });
 }
 
 // The summary is printed before RequireUsable throws: it is what shows why there is no model.
 void RunTrainLogistic(const TrainLogisticOptions& options, const Console& console) {
-  RequireWritable(options.out);
-  const std::array inputs = {std::filesystem::path(options.table)};
-  RequireNotAnInput(options.out, inputs);
-  const datasets::Table table = datasets::ReadTable(options.table, options.label);
-  const datasets::BinaryLabels labels = datasets::ToBinaryLabels(table, options.table);
-  const logistic::Result result = Train(options, table, labels, console);
+  const TrainingTable training = ReadTrainingTable(options.table, options.label, options.out);
+  const datasets::Table& table = training.table;
+  const datasets::BinaryLabels& labels = training.labels;
+  const logistic::Result result = Train(options, training, console);
   if (!options.out.empty() && IsUsable(result.summary)) {
-    WriteFileAtomically(options.out, ModelBytes(options, table, labels, result));
+    WriteFileAtomically(options.out, ModelBytes(options, training, result));
   }
   if (options.json) {
     console.Print(ToJson(options, table, labels, result));

@@ -48,13 +48,27 @@ void CheckInput(const DesignMatrix<T>& X, std::span<const std::uint8_t> labels) 
   static_cast<void>(CountPositive(labels));
 }
 
-// The model with an intercept alone, where every descent starts.
+// The model with an intercept alone, where a descent starts that is not told where.
 Eigen::VectorXd NullModel(const Objective& objective) {
   Eigen::VectorXd theta =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(objective.NumFeatures()) + 1);
   const auto positive = static_cast<double>(objective.NumPositive());
   theta[theta.size() - 1] =
       std::log(positive / (static_cast<double>(objective.NumRows()) - positive));
+  return theta;
+}
+
+// The options' weights as those of standardised features: s_j w_j and b + Σ w_j m_j.
+Eigen::VectorXd InitialModel(const Options& options, const ColumnMoments& moments) {
+  const auto p = static_cast<Eigen::Index>(options.initial_weights.size());
+  Eigen::VectorXd theta(p + 1);
+  theta[p] = options.initial_intercept;
+  for (Eigen::Index j = 0; j < p; ++j) {
+    const auto k = static_cast<std::size_t>(j);
+    theta[j] = options.initial_weights[k] * moments.scale[k];
+    theta[p] += options.initial_weights[k] * moments.mean[k];
+  }
+  HC_CHECK(theta.allFinite(), p);
   return theta;
 }
 
@@ -228,6 +242,9 @@ Result Training::Run() {
   summary.num_samples = objective_.NumRows();
   summary.num_positive = objective_.NumPositive();
   summary.null_deviance = point_.deviance;
+  if (!options_.initial_weights.empty()) {
+    objective_.Evaluate(InitialModel(options_, moments_), point_);
+  }
 
   const DescentEnd end = Descend();
   for (const Eigen::Index column : policy_.aliased()) {
@@ -305,6 +322,9 @@ Result TrainLogistic(const DesignMatrix<T>& X,
                      const Options& options) {
   options.Validate();
   CheckInput(X, labels);
+  HC_CHECK(options.initial_weights.empty() || options.initial_weights.size() == X.num_features,
+           options.initial_weights.size(),
+           X.num_features);
   const SingleThreadedBlas single_threaded_blas;
   const ColumnMoments moments = ComputeColumnMoments(X, options.num_threads);
   const Objective::AnyDesignMatrix any = X;

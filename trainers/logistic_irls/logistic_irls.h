@@ -30,6 +30,9 @@ struct Options {
   HessianPrecision hessian_precision = HessianPrecision::kAuto;
   double warm_start_share = 0.1;  ///< first steps take their Hessian from this share of the samples
                                   ///< (gradients are always of all); 0: never
+  std::vector<double> initial_weights = {};  ///< on raw features; where to begin, such as the fit
+                                             ///< of similar data; empty: at the intercept alone
+  double initial_intercept = 0.0;            ///< read with initial_weights
   bool standard_errors = true;
   int num_threads = 1;     ///< ≥ 1; does not change a bit of the result
   std::uint64_t seed = 1;  ///< draws the warm start's samples
@@ -95,8 +98,9 @@ struct Result {
 ///   θ* = argmax Π_i P(z_i | x_i; θ),  θ ← θ + (XᵀWX + λI)⁻¹ (Xᵀ(z − p) − λθ),  W = diag(p(1 − p)).
 /// `labels`: 0 or 1, num_samples long. X is read in place, block by block, several times; extra
 /// memory is O(num_features² + blocks). Throws Error(kBadInput) for no samples, one class alone,
-/// labels other than 0/1, or numbers that are not finite (row and column named). Not converging is
-/// a result, not an exception.
+/// labels other than 0/1, or numbers that are not finite (row and column named), std::logic_error
+/// for initial weights that are not one finite number a feature. Not converging is a result, not an
+/// exception. Where the descent begins does not change the optimum, beyond rounding.
 /// Deterministic: same input, same bits, for every number of threads, on one machine.
 /// Source: dissertation Eq. (3.1); McCullagh and Nelder 1989, sec. 2.5;
 /// docs/methods/logistic_regression.md.

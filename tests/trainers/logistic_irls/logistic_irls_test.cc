@@ -64,6 +64,32 @@ TEST(TrainLogistic, TwoByTwoTableInClosedForm) {
   EXPECT_EQ(result.summary.num_positive, 45U);
 }
 
+// Wherever it begins it ends at the same optimum, at once when it begins there.
+TEST(TrainLogistic, BeginsWhereItIsTold) {
+  const auto problem = DrawProblem<float>(2000, 6, 5);
+  for (const double ridge : {0.0, 3.0}) {
+    const Result cold = Train(problem, {.ridge = ridge, .warm_start_share = 0.0});
+    const Result warm = Train(problem,
+                              {.ridge = ridge,
+                               .warm_start_share = 0.0,
+                               .initial_weights = cold.weights,
+                               .initial_intercept = cold.intercept});
+    EXPECT_EQ(warm.summary.termination, Termination::kConverged);
+    EXPECT_LE(warm.summary.iterations, 1);
+    EXPECT_TRUE(AreClose(warm.weights, cold.weights, 1e-10));
+    EXPECT_NEAR(warm.summary.null_deviance, cold.summary.null_deviance, 1e-9);
+    const Result far = Train(problem,
+                             {.ridge = ridge,
+                              .warm_start_share = 0.0,
+                              .initial_weights = std::vector<double>(6, -2.0),
+                              .initial_intercept = 3.0});
+    EXPECT_TRUE(AreClose(far.weights, cold.weights, 1e-10));
+  }
+  EXPECT_THROW(Train(problem, {.initial_weights = {1.0}}), std::logic_error);
+  EXPECT_THROW(Train(problem, {.initial_weights = std::vector<double>(6, std::nan(""))}),
+               std::logic_error);
+}
+
 // At the optimum Σ (y − p) x = 0, feature by feature, and for the intercept; sketched stage and
 // all.
 TEST(TrainLogistic, SatisfiesTheScoreEquations) {

@@ -1,0 +1,367 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/feature_analysis/feature_analysis_report.h"
+
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "experiments/evaluation/html_text.h"
+#include "experiments/evaluation/json_text.h"
+#include "experiments/evaluation/report_table.h"
+#include "experiments/feature_analysis/feature_analysis_plots.h"
+#include "lib/core/fields.h"
+
+namespace handcraft::experiments {
+namespace {
+
+std::string NumberOrEmpty(double value) { return std::isnan(value) ? "" : NumberToText(value); }
+
+std::string IncreaseText(const Estimate& increase) {
+  if (std::isnan(increase.low)) return fmt::format("{:+.4f}", increase.value);
+  return fmt::format("{:+.4f} [{:+.4f}, {:+.4f}]", increase.value, increase.low, increase.high);
+}
+
+std::string NameOfFilter(const FeatureAnalysis& analysis, std::size_t filter) {
+  return std::string(features::NameOf(analysis.options.spec.filters[filter]));
+}
+
+// The step at which a filter goes; the last one never does.
+const EliminationStep* StepOf(const FeatureAnalysis& analysis, std::size_t filter) {
+  for (const EliminationStep& step : analysis.elimination.steps) {
+    if (step.removed == filter) return &step;
+  }
+  return nullptr;
+}
+
+// People read rounded numbers, machines exact ones.
+enum class Reader { kPeople, kMachines };
+
+std::string Share(double share, Reader reader) {
+  return reader == Reader::kPeople ? fmt::format("{:.2f} %", 100.0 * share) : NumberToText(share);
+}
+
+ReportTable FilterTable(const FeatureAnalysis& analysis, Reader reader) {
+  ReportTable table{.head = {"filter"}, .rows = {}};
+  std::vector<std::vector<std::size_t>> ranks;
+  for (const EnergySpectrum& spectrum : analysis.spectra) {
+    const bool people = reader == Reader::kPeople;
+    const std::string name =
+        people ? TitleOf(spectrum.scaling) : std::string(NameOf(spectrum.scaling));
+    table.head.push_back(people ? "energy, " + name : "energy_share_" + name);
+    table.head.push_back(people ? "rank" : "energy_rank_" + name);
+    ranks.push_back(RanksOf(spectrum.filter_shares));
+  }
+  table.head.emplace_back(reader == Reader::kPeople ? "rank by usefulness" : "usefulness_rank");
+  table.head.emplace_back(reader == Reader::kPeople ? "log-loss once it is gone"
+                                                    : "log_loss_without");
+  const std::vector<std::size_t> usefulness = UsefulnessRanks(analysis.elimination);
+  for (std::size_t f = 0; f < analysis.options.spec.filters.size(); ++f) {
+    std::vector<std::string> row = {NameOfFilter(analysis, f)};
+    for (std::size_t s = 0; s < analysis.spectra.size(); ++s) {
+      row.push_back(Share(analysis.spectra[s].filter_shares[f], reader));
+      row.push_back(std::to_string(ranks[s][f]));
+    }
+    row.push_back(std::to_string(usefulness[f]));
+    const EliminationStep* step = StepOf(analysis, f);
+    if (step == nullptr) {
+      row.emplace_back(reader == Reader::kPeople ? "–" : "");
+    } else {
+      row.push_back(reader == Reader::kPeople ? DecimalText(step->log_loss, 4)
+                                              : NumberToText(step->log_loss));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+ReportTable PositionTable(const FeatureAnalysis& analysis) {
+  ReportTable table{.head = {"position"}, .rows = {}};
+  for (const EnergySpectrum& spectrum : analysis.spectra) {
+    table.head.push_back("energy_share_" + std::string(NameOf(spectrum.scaling)));
+  }
+  const std::vector<std::string> names = PositionNames(analysis.options.spec);
+  for (std::size_t p = 0; p < names.size(); ++p) {
+    table.rows.push_back({names[p]});
+    for (const EnergySpectrum& spectrum : analysis.spectra) {
+      table.rows.back().push_back(NumberToText(spectrum.position_shares[p]));
+    }
+  }
+  return table;
+}
+
+ReportTable EigenvalueTable(const FeatureAnalysis& analysis) {
+  ReportTable table{.head = {"component"}, .rows = {}};
+  for (const EnergySpectrum& spectrum : analysis.spectra) {
+    table.head.emplace_back(NameOf(spectrum.scaling));
+  }
+  for (std::size_t k = 0; k < analysis.pca.num_features; ++k) {
+    table.rows.push_back({std::to_string(k + 1)});
+    for (const EnergySpectrum& spectrum : analysis.spectra) {
+      table.rows.back().push_back(NumberToText(spectrum.eigenvalues[k]));
+    }
+  }
+  return table;
+}
+
+ReportTable ComponentTable(const FeatureAnalysis& analysis) {
+  ReportTable table{.head = {"features in units", "90 %", "95 %", "99 %"}, .rows = {}};
+  for (const EnergySpectrum& spectrum : analysis.spectra) {
+    table.rows.push_back({TitleOf(spectrum.scaling)});
+    for (const std::size_t count : spectrum.num_components) {
+      table.rows.back().push_back(std::to_string(count));
+    }
+  }
+  return table;
+}
+
+ReportTable RingTable(const FeatureAnalysis& analysis) {
+  ReportTable table{.head = {"features in units"}, .rows = {}};
+  for (std::size_t ring = 0; ring < analysis.spectra.front().ring_strengths.size(); ++ring) {
+    table.head.push_back(ring == 0 ? "middle pixel" : fmt::format("ring {}", ring));
+  }
+  for (const EnergySpectrum& spectrum : analysis.spectra) {
+    table.rows.push_back({TitleOf(spectrum.scaling)});
+    for (const double strength : spectrum.ring_strengths) {
+      table.rows.back().push_back(fmt::format("{:.1f} %", 100.0 * strength));
+    }
+  }
+  return table;
+}
+
+ReportTable EliminationTable(const FeatureAnalysis& analysis) {
+  ReportTable table{.head = {"filters_left",
+                             "removed",
+                             "num_features",
+                             "log_loss",
+                             "auc",
+                             "increase",
+                             "increase_low",
+                             "increase_high"},
+                    .rows = {}};
+  std::size_t left = analysis.elimination.order.size();
+  for (const EliminationStep& step : analysis.elimination.steps) {
+    table.rows.push_back({std::to_string(--left),
+                          NameOfFilter(analysis, step.removed),
+                          std::to_string(step.num_columns),
+                          NumberToText(step.log_loss),
+                          NumberOrEmpty(step.auc),
+                          NumberToText(step.increase.value),
+                          NumberOrEmpty(step.increase.low),
+                          NumberOrEmpty(step.increase.high)});
+  }
+  return table;
+}
+
+ReportTable HypothesisTable(const FeatureAnalysis& analysis, Reader reader) {
+  if (reader == Reader::kPeople) {
+    ReportTable table{.head = {"hypothesis",
+                               "filters",
+                               "window",
+                               "features",
+                               "held-out log-loss",
+                               "AUC",
+                               "log-loss above all features"},
+                      .rows = {}};
+    for (const TestedHypothesis& tested : analysis.hypotheses) {
+      table.rows.push_back({tested.name,
+                            std::to_string(tested.spec.NumFilters()),
+                            fmt::format("{}×{}", tested.spec.window, tested.spec.window),
+                            std::to_string(tested.spec.NumFeatures()),
+                            DecimalText(tested.log_loss, 4),
+                            DecimalText(tested.auc, 3),
+                            IncreaseText(tested.increase)});
+    }
+    return table;
+  }
+  ReportTable table{.head = {"hypothesis",
+                             "features",
+                             "num_features",
+                             "log_loss",
+                             "auc",
+                             "increase",
+                             "increase_low",
+                             "increase_high"},
+                    .rows = {}};
+  for (const TestedHypothesis& tested : analysis.hypotheses) {
+    table.rows.push_back({tested.name,
+                          features::ToString(tested.spec),
+                          std::to_string(tested.spec.NumFeatures()),
+                          NumberToText(tested.log_loss),
+                          NumberOrEmpty(tested.auc),
+                          NumberToText(tested.increase.value),
+                          NumberOrEmpty(tested.increase.low),
+                          NumberOrEmpty(tested.increase.high)});
+  }
+  return table;
+}
+
+nlohmann::ordered_json ToJson(const FeatureAnalysis& analysis) {
+  nlohmann::ordered_json json{{"features", features::ToString(analysis.options.spec)},
+                              {"options", FieldsToText(analysis.options)},
+                              {"data_fingerprint", analysis.data_fingerprint},
+                              {"num_samples", analysis.num_samples},
+                              {"num_fit_samples", analysis.num_fit_samples},
+                              {"num_held_out_samples", analysis.num_held_out_samples},
+                              {"num_fit_objects", analysis.num_fit_objects},
+                              {"num_held_out_objects", analysis.num_held_out_objects}};
+  for (const EnergySpectrum& spectrum : analysis.spectra) {
+    json["energy"][std::string(NameOf(spectrum.scaling))] = {
+        {"num_components_90", spectrum.num_components[0]},
+        {"num_components_95", spectrum.num_components[1]},
+        {"num_components_99", spectrum.num_components[2]},
+        {"filter_shares", spectrum.filter_shares},
+        {"position_shares", spectrum.position_shares},
+        {"ring_strengths", spectrum.ring_strengths}};
+  }
+  const BackwardElimination& elimination = analysis.elimination;
+  json["elimination"] = {{"log_loss_all", elimination.all.log_loss},
+                         {"auc_all", elimination.all.auc},
+                         {"order", nlohmann::ordered_json::array()}};
+  for (const std::size_t filter : elimination.order) {
+    json["elimination"]["order"].push_back(NameOfFilter(analysis, filter));
+  }
+  json["hypotheses"] = nlohmann::ordered_json::array();
+  for (const TestedHypothesis& tested : analysis.hypotheses) {
+    nlohmann::ordered_json entry{{"name", tested.name},
+                                 {"features", features::ToString(tested.spec)},
+                                 {"num_features", tested.spec.NumFeatures()},
+                                 {"log_loss", tested.log_loss},
+                                 {"auc", tested.auc}};
+    AddEstimate("log_loss_increase", tested.increase, entry);
+    json["hypotheses"].push_back(std::move(entry));
+  }
+  return json;
+}
+
+std::string SetText(const FeatureAnalysis& analysis, const std::string& data_name) {
+  const features::FeatureSpec& spec = analysis.options.spec;
+  return fmt::format(
+      "{} features ({} filters, {}×{} window, {} scales, energy {}) of {} pixels of {}; fits on {} "
+      "pixels of {} objects, measured on {} pixels of {} other objects.",
+      spec.NumFeatures(),
+      spec.NumFilters(),
+      spec.window,
+      spec.window,
+      spec.scales.size(),
+      features::NameOf(spec.energy),
+      analysis.num_samples,
+      data_name,
+      analysis.num_fit_samples,
+      analysis.num_fit_objects,
+      analysis.num_held_out_samples,
+      analysis.num_held_out_objects);
+}
+
+constexpr std::string_view kEnergyNote =
+    "A filter's share of the energy (variance) of the components that hold 99 % of it. It depends "
+    "on the "
+    "units in which a filter's response is written, which say nothing about grasping.";
+constexpr std::string_view kUsefulnessNote =
+    "Filters are taken away one by one, each time the one that the classifier misses least on "
+    "objects it "
+    "has not seen; the one that stays to the last is rank 1. The held-out pixels choose, so these "
+    "figures "
+    "are somewhat too good: measure what you choose on other pictures.";
+constexpr std::string_view kRingNote =
+    "Height of the first eigenvector's peaks at the pixels of a ring, over the highest peak.";
+constexpr std::string_view kHypothesisNote =
+    "Log-loss in nats a pixel, below is better; the interval is a 95 % bootstrap over held-out "
+    "objects.";
+
+std::string MarkdownReport(const FeatureAnalysis& analysis, const std::string& data_name) {
+  std::string text = "# Feature analysis\n\n" + SetText(analysis, data_name) + "\n\n";
+  text += "## What may be dropped\n\n" + std::string(kHypothesisNote) + "\n\n" +
+          MarkdownText(HypothesisTable(analysis, Reader::kPeople));
+  text += "## Filters\n\n" + std::string(kEnergyNote) + " " + std::string(kUsefulnessNote) +
+          "\n\n" + MarkdownText(FilterTable(analysis, Reader::kPeople));
+  text += "## Components that hold 90, 95 and 99 % of the energy\n\n" +
+          MarkdownText(ComponentTable(analysis));
+  text += "## Window\n\n" + std::string(kRingNote) + "\n\n" + MarkdownText(RingTable(analysis));
+  text.pop_back();
+  return text;
+}
+
+std::string Section(std::string_view title, std::string_view note, const std::string& content) {
+  return fmt::format("<h2>{}</h2>\n<p class=\"note\">{}</p>\n{}", title, note, content);
+}
+
+std::string Figure(const SvgFigure& figure, std::string_view caption) {
+  return fmt::format("<figure class=\"card wide\">\n{}<figcaption>{}</figcaption>\n</figure>\n",
+                     figure.ToInlineText(),
+                     caption);
+}
+
+std::string HtmlReport(const FeatureAnalysis& analysis, const std::string& data_name) {
+  std::string body = fmt::format(
+      "<header>\n<p class=\"kicker\">Handcraft study</p>\n<h1>Feature analysis</h1>\n<p "
+      "class=\"lead\">{}</p>\n</header>\n",
+      EscapeHtml(SetText(analysis, data_name)));
+  body += Section(
+      "What may be dropped", kHypothesisNote, HtmlText(HypothesisTable(analysis, Reader::kPeople)));
+  body += Section("Filters: energy and usefulness",
+                  kUsefulnessNote,
+                  Figure(PlotRankings(analysis),
+                         "Green: edge masks; blue: Laws masks; brown: Sobel and Laplacian.") +
+                      Figure(PlotElimination(analysis),
+                             "Bars: 95 % interval of the increase above all filters (dashed).") +
+                      HtmlText(FilterTable(analysis, Reader::kPeople)));
+  body += Section("Spectrum",
+                  kEnergyNote,
+                  Figure(PlotEigenvalues(analysis.spectra),
+                         "Eigenvalues of the covariance, by units of the features.") +
+                      HtmlText(ComponentTable(analysis)));
+  std::string components;
+  for (const EnergySpectrum& spectrum : analysis.spectra) {
+    components += Figure(PlotFirstComponent(spectrum, analysis.options.spec),
+                         "First eigenvector, " + TitleOf(spectrum.scaling) + ".");
+  }
+  body += Section("First eigenvector", kRingNote, components + HtmlText(RingTable(analysis)));
+  body += fmt::format("<footer>Data <code>{}</code>. Features:", analysis.data_fingerprint);
+  for (const features::Filter filter : analysis.options.spec.filters) {
+    body += fmt::format(" {}", features::NameOf(filter));
+  }
+  body += ". Options:";
+  for (const auto& [name, value] : FieldsToText(analysis.options)) {
+    body += fmt::format(" {} = {};", EscapeHtml(name), EscapeHtml(value));
+  }
+  return MakeHtmlPage("Feature analysis", body + "</footer>\n");
+}
+
+}  // namespace
+
+std::vector<std::string> PositionNames(const features::FeatureSpec& spec) {
+  std::vector<std::string> names;
+  for (int j = 0; j < spec.NumFeatures(); j += spec.NumFilters()) {
+    const std::string name = features::FeatureName(spec, j);
+    names.push_back(name.substr(name.find('@') + 1));
+  }
+  return names;
+}
+
+std::map<std::string, std::string> FeatureAnalysisFiles(const FeatureAnalysis& analysis,
+                                                        const std::string& data_name) {
+  std::map<std::string, std::string> files = {
+      {"summary.md", MarkdownReport(analysis, data_name)},
+      {"report.html", HtmlReport(analysis, data_name)},
+      {"results.json", JsonText(ToJson(analysis))},
+      {"filters.csv", CsvText(FilterTable(analysis, Reader::kMachines))},
+      {"positions.csv", CsvText(PositionTable(analysis))},
+      {"eigenvalues.csv", CsvText(EigenvalueTable(analysis))},
+      {"elimination.csv", CsvText(EliminationTable(analysis))},
+      {"hypotheses.csv", CsvText(HypothesisTable(analysis, Reader::kMachines))},
+      {"eigenvalues.svg", PlotEigenvalues(analysis.spectra).ToFileText()},
+      {"rankings.svg", PlotRankings(analysis).ToFileText()},
+      {"elimination.svg", PlotElimination(analysis).ToFileText()}};
+  for (const EnergySpectrum& spectrum : analysis.spectra) {
+    files[fmt::format("first_eigenvector_{}.svg", NameOf(spectrum.scaling))] =
+        PlotFirstComponent(spectrum, analysis.options.spec).ToFileText();
+  }
+  return files;
+}
+
+}  // namespace handcraft::experiments
