@@ -173,8 +173,6 @@ std::vector<Eigen::Vector3f> ReadCompressed(const File& file) {
 
 }  // namespace
 
-bool IsMeasured(const Eigen::Vector3f& point) { return point.allFinite(); }
-
 OrganisedCloud ReadPcd(const std::filesystem::path& path) {
   const std::vector<std::uint8_t> bytes = ReadFile(path);
   const File file{path, bytes, ReadPcdHeader(path, bytes)};

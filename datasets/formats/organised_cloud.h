@@ -9,6 +9,8 @@
 
 #include <Eigen/Geometry>
 
+#include "lib/perception/cloud_view.h"
+
 namespace handcraft::datasets {
 
 /// One point for each pixel of a picture, in the base frame [m]; NaN where nothing was measured.
@@ -23,10 +25,11 @@ struct OrganisedCloud {
     return points[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) +
                   static_cast<std::size_t>(u)];
   }
+  /// The points as the perception code takes them; the cloud must outlive the view.
+  [[nodiscard]] perception::CloudView View() const { return {points, width, height}; }
 };
 
-/// Whether something was measured there.
-[[nodiscard]] bool IsMeasured(const Eigen::Vector3f& point);
+using perception::IsMeasured;
 
 /// Reads a PCD file (docs/datasets.md): version 0.7; ascii, binary or binary_compressed; x, y and z
 /// as four-byte floats among other fields, which are skipped. A point with a coordinate that is NaN

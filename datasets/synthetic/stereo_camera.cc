@@ -3,65 +3,18 @@
 
 #include "datasets/synthetic/stereo_camera.h"
 
-#include <cmath>
-#include <limits>
+#include <algorithm>
 #include <string>
-
-#include <opencv2/calib3d.hpp>
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "datasets/synthetic/depth_cloud.h"
 #include "datasets/synthetic/projector.h"
-#include "lib/core/check.h"
 #include "lib/core/option_rules.h"
 
 namespace handcraft::synthetic {
 namespace {
 
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr int kDisparityStep = 16;  // OpenCV searches multiples of it
-constexpr float kDisparityUnit = 1.0F / 16.0F;
-constexpr int kSpeckleSize = 100;
-constexpr int kSpeckleRange = 2;
-constexpr int kUniquenessPercent = 10;
 constexpr float kDotCellPx = 2.5F;
 constexpr float kDotGain = 2.0F;
-
-cv::Mat Gray(const Image& image) {
-  HC_CHECK(image.channels() == 3, image.channels());
-  // OpenCV has no read-only matrix; the pixels are only read.
-  const cv::Mat colours(
-      image.height(), image.width(), CV_8UC3, const_cast<std::uint8_t*>(image.Row(0)));
-  cv::Mat gray;
-  cv::cvtColor(colours, gray, cv::COLOR_BGR2GRAY);
-  return gray;
-}
-
-cv::Ptr<cv::StereoMatcher> MakeMatcher(StereoMatcher matcher, int num_disparities) {
-  if (matcher == StereoMatcher::kSemiGlobal) {
-    constexpr int kBlock = 5;
-    constexpr int kP1 = 8 * kBlock * kBlock;
-    constexpr int kP2 = 32 * kBlock * kBlock;
-    return cv::StereoSGBM::create(0,
-                                  num_disparities,
-                                  kBlock,
-                                  kP1,
-                                  kP2,
-                                  1,
-                                  0,
-                                  kUniquenessPercent,
-                                  kSpeckleSize,
-                                  kSpeckleRange);
-  }
-  constexpr int kBlock = 15;
-  const cv::Ptr<cv::StereoBM> blocks = cv::StereoBM::create(num_disparities, kBlock);
-  blocks->setUniquenessRatio(kUniquenessPercent);
-  blocks->setSpeckleWindowSize(kSpeckleSize);
-  blocks->setSpeckleRange(kSpeckleRange);
-  blocks->setDisp12MaxDiff(1);
-  return blocks;
-}
 
 PinholeCamera WiderToTheLeft(PinholeCamera camera, int columns) {
   camera.width_px += columns;
@@ -97,23 +50,6 @@ FloatImage LightWithDots(const Scene& scene,
   return lit;
 }
 
-FloatImage DepthFromDisparity(const FloatImage& disparity_px,
-                              int first_column,
-                              const PinholeCamera& camera,
-                              const StereoOptions& options) {
-  FloatImage depth(camera.width_px, camera.height_px);
-  const float product = camera.focal_px * options.baseline_m;
-  for (int v = 0; v < depth.height(); ++v) {
-    for (int u = 0; u < depth.width(); ++u) {
-      const float disparity = disparity_px.At(u + first_column, v);
-      if (!(disparity > 0.0F)) continue;
-      const float depth_m = product / disparity;
-      if (depth_m <= options.farthest_m) depth.At(u, v) = depth_m;
-    }
-  }
-  return depth;
-}
-
 }  // namespace
 
 void StereoOptions::Validate() const {
@@ -129,28 +65,7 @@ void StereoOptions::Validate() const {
 }
 
 int NumDisparities(const PinholeCamera& camera, const StereoOptions& options) {
-  const float largest_px = camera.focal_px * options.baseline_m / options.nearest_m;
-  return kDisparityStep * static_cast<int>(std::ceil((largest_px + 1.0F) / kDisparityStep));
-}
-
-FloatImage MatchPair(const Image& left,
-                     const Image& right,
-                     StereoMatcher matcher,
-                     int num_disparities) {
-  HC_CHECK(left.width() == right.width() && left.height() == right.height(),
-           left.width(),
-           right.width());
-  HC_CHECK(num_disparities > 0 && num_disparities % kDisparityStep == 0, num_disparities);
-  cv::Mat found;
-  MakeMatcher(matcher, num_disparities)->compute(Gray(left), Gray(right), found);
-  FloatImage disparity_px(left.width(), left.height(), 1, kNaN);
-  for (int v = 0; v < left.height(); ++v) {
-    for (int u = num_disparities; u < left.width(); ++u) {
-      const auto sixteenths = found.at<std::int16_t>(v, u);
-      if (sixteenths > 0) disparity_px.At(u, v) = kDisparityUnit * static_cast<float>(sixteenths);
-    }
-  }
-  return disparity_px;
+  return perception::NumDisparities(camera.focal_px, options.baseline_m, options.nearest_m);
 }
 
 StereoShot TakeStereo(const Scene& scene,
@@ -173,22 +88,23 @@ StereoShot TakeStereo(const Scene& scene,
     const PinholeCamera projector = RightOf(scene.camera, 0.5F * options.baseline_m);
     Rng dots = Rng::Stream(seed, "dots");
     const DotPattern pattern(kDotCellPx, dots);
-    disparity_px = MatchPair(
+    disparity_px = perception::MatchPair(
         develop(LightWithDots(scene, left, projector, pattern, left_view.light), "left dots"),
         develop(LightWithDots(scene, right, projector, pattern, right_view.light), "right dots"),
         options.matcher,
         columns);
   } else {
-    disparity_px = MatchPair(left_image, right_image, options.matcher, columns);
+    disparity_px = perception::MatchPair(left_image, right_image, options.matcher, columns);
   }
+  const FloatImage depth_m = perception::DepthOfDisparity(
+      disparity_px, scene.camera.focal_px, options.baseline_m, options.farthest_m);
   return {.view = {.light = WithoutLeft(left_view.light, columns),
                    .labels = WithoutLeft(left_view.labels, columns),
                    .object_mask = WithoutLeft(left_view.object_mask, columns),
                    .depth = WithoutLeft(left_view.depth, columns)},
           .image = WithoutLeft(left_image, columns),
           .right_image = WithoutLeft(right_image, columns),
-          .cloud = CloudFromDepth(DepthFromDisparity(disparity_px, columns, scene.camera, options),
-                                  scene.camera)};
+          .cloud = CloudFromDepth(WithoutLeft(depth_m, columns), scene.camera)};
 }
 
 }  // namespace handcraft::synthetic

@@ -8,13 +8,11 @@
 #include "datasets/formats/organised_cloud.h"
 #include "datasets/synthetic/renderer.h"
 #include "lib/core/image.h"
+#include "lib/perception/stereo_matching.h"
 
 namespace handcraft::synthetic {
 
-enum class StereoMatcher {
-  kSemiGlobal,  ///< OpenCV's StereoSGBM: block 5, P1 200, P2 800, uniqueness 10 %
-  kBlock,       ///< OpenCV's StereoBM: block 15, uniqueness 10 %
-};
+using perception::StereoMatcher;
 
 /// Two cameras beside each other, and what is done with their pictures.
 struct StereoOptions {
@@ -30,20 +28,8 @@ struct StereoOptions {
   void Validate() const;
 };
 
-/// How many disparities are searched: all up to that of the nearest point,
-/// d = focal · baseline / depth, rounded up to a multiple of 16.
+/// How many disparities are searched (see perception::NumDisparities).
 [[nodiscard]] int NumDisparities(const PinholeCamera& camera, const StereoOptions& options);
-
-/// Disparity of each pixel of the left picture of a rectified pair [px]; NaN where none was found.
-/// None is found in the first `num_disparities` columns. Speckles of less than 100 pixels that
-/// differ by more than 2 px from what is around them are left out. Same pictures, same values, in
-/// whole numbers: steps of 1/16 px.
-/// Source: H. Hirschmüller, "Stereo processing by semiglobal matching and mutual information",
-/// 2008, and K. Konolige's block matching, both as OpenCV has them.
-[[nodiscard]] FloatImage MatchPair(const Image& left,
-                                   const Image& right,
-                                   StereoMatcher matcher,
-                                   int num_disparities);
 
 /// What a stereo camera takes of a scene; `view`, `image` and `cloud` are those of its left camera,
 /// which is the scene's.

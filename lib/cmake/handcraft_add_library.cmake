@@ -19,12 +19,13 @@ set(HANDCRAFT_MAY_LINK_tools core features linear_algebra perception model_io ru
 set(HANDCRAFT_THIRD_PARTY_core Eigen3::Eigen Threads::Threads)
 set(HANDCRAFT_THIRD_PARTY_features hwy_headers)
 set(HANDCRAFT_THIRD_PARTY_runtime "")
-set(HANDCRAFT_THIRD_PARTY_perception opencv_core opencv_imgproc opencv_imgcodecs)
+set(HANDCRAFT_THIRD_PARTY_perception
+    Eigen3::Eigen opencv_core opencv_imgproc opencv_imgcodecs opencv_calib3d)
 set(HANDCRAFT_THIRD_PARTY_model_io nlohmann_json::nlohmann_json)
 set(HANDCRAFT_THIRD_PARTY_linear_algebra BLAS::BLAS LAPACK::LAPACK fmt::fmt)
 set(HANDCRAFT_THIRD_PARTY_datasets
     Eigen3::Eigen embree fmt::fmt nlohmann_json::nlohmann_json opencv_core opencv_imgproc
-    opencv_imgcodecs opencv_calib3d tinyxml2::tinyxml2 tomlplusplus::tomlplusplus ZLIB::ZLIB)
+    opencv_imgcodecs tinyxml2::tinyxml2 tomlplusplus::tomlplusplus ZLIB::ZLIB)
 set(HANDCRAFT_THIRD_PARTY_trainer Eigen3::Eigen fmt::fmt BLAS::BLAS LAPACK::LAPACK)
 set(HANDCRAFT_THIRD_PARTY_experiments
     fmt::fmt nlohmann_json::nlohmann_json opencv_core opencv_imgproc opencv_imgcodecs BLAS::BLAS

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "lib/core/error.h"
-#include "tests/datasets/small_image_set.h"
 #include "tests/datasets/synthetic/small_scene.h"
 #include "tests/support/expect_throws_message.h"
 
@@ -16,24 +15,6 @@ namespace handcraft::synthetic {
 namespace {
 
 using ::testing::HasSubstr;
-
-// Noise, and the same moved to the left by a whole number of pixels.
-TEST(MatchPair, FindsTheShiftOfAPicture) {
-  constexpr int kShiftPx = 11;
-  const Image left = handcraft::testing::NoiseImage(120, 40, 3, 1);
-  Image right = handcraft::testing::NoiseImage(120, 40, 3, 2);
-  for (int v = 0; v < 40; ++v) std::copy_n(left.Row(v) + 3 * kShiftPx, 3 * 109, right.Row(v));
-  for (const StereoMatcher matcher : {StereoMatcher::kSemiGlobal, StereoMatcher::kBlock}) {
-    const FloatImage disparity_px = MatchPair(left, right, matcher, 16);
-    int num_right = 0;
-    for (int v = 8; v < 32; ++v) {
-      EXPECT_TRUE(std::isnan(disparity_px.At(15, v)));
-      for (int u = 32; u < 100; ++u)
-        num_right += std::abs(disparity_px.At(u, v) - 11.0F) < 0.2F ? 1 : 0;
-    }
-    EXPECT_EQ(num_right, 24 * 68) << "but for parts of a pixel";
-  }
-}
 
 TEST(NumDisparities, CoversTheNearestPoint) {
   EXPECT_EQ(NumDisparities({}, {}), 160) << "525 · 0.12 / 0.4 = 157.5";
