@@ -33,22 +33,35 @@ const float* ChannelPlanes::At(Channel channel, int column, int v) const noexcep
   return Row(channel, std::clamp(v, 0, height_ - 1)) + column;
 }
 
-void ChannelPlanes::PadRow(Channel channel, int v) noexcept {
+void ChannelPlanes::PadLeft(Channel channel, int v) noexcept {
   float* row = Row(channel, v);
   std::fill_n(row - kPad, kPad, row[0]);
+}
+
+void ChannelPlanes::PadRight(Channel channel, int v) noexcept {
+  float* row = Row(channel, v);
   std::fill_n(row + width_, stride_ - kPad - width_, row[width_ - 1]);
 }
 
 void ChannelPlanes::Convert(const RawImage& image, const PixelKernels& kernels) noexcept {
-  for (int v = 0; v < height_; ++v) {
-    kernels.convert_row(image.data + v * image.stride_bytes,
+  ConvertPart(image, kernels, {.last_u = width_, .last_v = height_});
+}
+
+void ChannelPlanes::ConvertPart(const RawImage& image,
+                                const PixelKernels& kernels,
+                                const RegionBox& part) noexcept {
+  const std::ptrdiff_t first_byte = std::ptrdiff_t{NumChannels(image.format)} * part.first_u;
+  for (int v = part.first_v; v < part.last_v; ++v) {
+    kernels.convert_row(image.data + v * image.stride_bytes + first_byte,
                         image.format,
-                        width_,
-                        Row(kY, v),
-                        num_channels_ == 3 ? Row(kCb, v) : nullptr,
-                        num_channels_ == 3 ? Row(kCr, v) : nullptr);
-    for (int channel = 0; channel < num_channels_; ++channel) {
-      PadRow(static_cast<Channel>(channel), v);
+                        part.last_u - part.first_u,
+                        Row(kY, v) + part.first_u,
+                        num_channels_ == 3 ? Row(kCb, v) + part.first_u : nullptr,
+                        num_channels_ == 3 ? Row(kCr, v) + part.first_u : nullptr);
+    for (int i = 0; i < num_channels_; ++i) {
+      const auto channel = static_cast<Channel>(i);
+      if (part.first_u == 0) PadLeft(channel, v);
+      if (part.last_u == width_) PadRight(channel, v);
     }
   }
 }
@@ -70,7 +83,8 @@ void ChannelPlanes::ShrinkFrom(const ChannelPlanes& source, int reduction) noexc
         const int count = (last_row - first_row) * (last_column - first_column);
         Row(channel, v)[u] = sum / static_cast<float>(count);
       }
-      PadRow(channel, v);
+      PadLeft(channel, v);
+      PadRight(channel, v);
     }
   }
 }
@@ -101,10 +115,11 @@ void FilterStripRow(const ChannelPlanes& planes,
   }
   kernels.filter_row(plan, job);
 
+  const int num_outside_left = kMaxRadius - x0;
   const int num_outside_right = x0 + width + kMaxRadius - planes.width();
   for (int filter = 0; filter < plan.num_filters; ++filter) {
     float* row = job.energies + filter * kStripStride;
-    if (x0 == 0) std::fill_n(row, kMaxRadius, row[kMaxRadius]);
+    if (num_outside_left > 0) std::fill_n(row, num_outside_left, row[num_outside_left]);
     if (num_outside_right > 0) {
       float* end = row + job.count - num_outside_right;
       std::fill_n(end, num_outside_right, end[-1]);

@@ -9,6 +9,7 @@
 
 #include "lib/features/colour.h"
 #include "lib/features/pixel_kernels.h"
+#include "lib/features/pixel_region.h"
 
 namespace handcraft::features::internal {
 
@@ -27,9 +28,15 @@ class ChannelPlanes {
 
   [[nodiscard]] int width() const noexcept { return width_; }
   [[nodiscard]] int height() const noexcept { return height_; }
+  [[nodiscard]] int num_channels() const noexcept { return num_channels_; }
 
   /// Reads an 8-bit picture of the same size.
   void Convert(const RawImage& image, const PixelKernels& kernels) noexcept;
+
+  /// Reads a part of it; the pixels outside stay undefined.
+  void ConvertPart(const RawImage& image,
+                   const PixelKernels& kernels,
+                   const RegionBox& part) noexcept;
 
   /// Each pixel becomes the mean of the `reduction` × `reduction` pixels of `source` it stands for
   /// (of those that exist, at the right and lower border): width = ⌈source width / reduction⌉.
@@ -41,7 +48,8 @@ class ChannelPlanes {
 
  private:
   [[nodiscard]] float* Row(Channel channel, int v) const noexcept;
-  void PadRow(Channel channel, int v) noexcept;
+  void PadLeft(Channel channel, int v) noexcept;
+  void PadRight(Channel channel, int v) noexcept;
 
   int width_;
   int height_;

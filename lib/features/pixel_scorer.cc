@@ -9,6 +9,9 @@
 
 #include "lib/core/check.h"
 #include "lib/features/channel_planes.h"
+#include "lib/features/region_pass.h"
+#include "lib/features/row_runs.h"
+#include "lib/features/scoring_level.h"
 
 namespace handcraft::features {
 namespace {
@@ -16,6 +19,11 @@ namespace {
 using internal::ChannelPlanes;
 using internal::kStripStride;
 using internal::kStripWidth;
+using internal::RegionBox;
+using internal::RegionOutput;
+using internal::RegionSums;
+using internal::ScaleMap;
+using internal::ScoringLevel;
 
 // Takes pieces off a block of memory, each on a 64-byte boundary.
 class Arena {
@@ -39,42 +47,13 @@ struct StripSums {
   alignas(64) std::array<std::array<float, kStripStride>, 5> rows;
 };
 
-// Decision values of a shrunk picture, added to the pixels they stand for.
-struct ScaleMap {
-  int reduction = 1;
-  int width = 0;
-  const float* values = nullptr;
-};
-
 // Distinct scales are numbers from 2 to 16 (FaultOf).
 constexpr std::size_t kMaxScales = 15;
 
-// One picture (or one shrunk copy) and everything its scores take.
-struct Level {
-  const ChannelPlanes& planes;
-  const internal::FilterPlan& plan;
-  const internal::PixelKernels& kernels;
-  const float* weights;
-  int window;
-  float intercept;
-  std::span<const ScaleMap> maps;
-  bool as_probability;
-  float* out;
-  std::ptrdiff_t stride;
-};
-
-void StartRow(const Level& level, int x0, int width, int y, float* sums) noexcept {
-  std::fill_n(sums, kStripStride, level.intercept);
-  if (y >= level.planes.height()) return;
-  for (const ScaleMap& map : level.maps) {
-    const float* row = map.values + static_cast<std::ptrdiff_t>(y / map.reduction) * map.width;
-    for (int x = 0; x < width; ++x) sums[x] += row[(x0 + x) / map.reduction];
-  }
-}
-
 // Row by row down the strip: the energies of row v go into the sums of rows v − r … v + r, after
 // which row v − r is complete. Rows above and below the picture repeat its first and last energies.
-void ScoreStrip(const Level& level,
+void ScoreStrip(const ScoringLevel& level,
+                const RegionOutput& output,
                 int x0,
                 int width,
                 internal::StripBuffers& buffers,
@@ -84,7 +63,7 @@ void ScoreStrip(const Level& level,
   const auto row_of = [&](int y) {
     return sums.rows[static_cast<std::size_t>((y + 2 * level.window) % level.window)].data();
   };
-  for (int y = -2 * radius; y < 0; ++y) std::fill_n(row_of(y), kStripStride, 0.0F);
+  for (int y = -2 * radius; y <= 0; ++y) std::fill_n(row_of(y), kStripStride, 0.0F);
 
   internal::CorrelateRowJob job{.energies = buffers.energies.data(),
                                 .weights = level.weights,
@@ -95,7 +74,7 @@ void ScoreStrip(const Level& level,
     if (v == -radius || (v > 0 && v < height)) {
       FilterStripRow(level.planes, level.plan, level.kernels, x0, width, std::max(v, 0), buffers);
     }
-    StartRow(level, x0, width, v + radius, row_of(v + radius));
+    if (v + radius < height) StartSums(level, x0, width, v + radius, row_of(v + radius));
     for (int j = 0; j < level.window; ++j) {
       job.sums[static_cast<std::size_t>(j)] = row_of(v + radius - j);
     }
@@ -104,14 +83,60 @@ void ScoreStrip(const Level& level,
     if (finished < 0) continue;
     float* row = row_of(finished);
     if (level.as_probability) level.kernels.sigmoid_row(row, width);
-    std::copy_n(row, width, level.out + finished * level.stride + x0);
+    std::copy_n(row, width, output.map + finished * output.stride + x0);
   }
 }
 
-void ScoreLevel(const Level& level, internal::StripBuffers& buffers, StripSums& sums) noexcept {
+void ScoreLevel(const ScoringLevel& level,
+                const RegionOutput& output,
+                internal::StripBuffers& buffers,
+                StripSums& sums) noexcept {
   for (int x0 = 0; x0 < level.planes.width(); x0 += kStripWidth) {
-    ScoreStrip(level, x0, std::min(kStripWidth, level.planes.width() - x0), buffers, sums);
+    ScoreStrip(level, output, x0, std::min(kStripWidth, level.planes.width() - x0), buffers, sums);
   }
+}
+
+std::size_t NumPixels(int width, int height) noexcept {
+  return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+}
+
+ChannelPlanes MakePlanes(int width, int height, int num_channels, Arena& arena) noexcept {
+  const std::size_t num_floats = ChannelPlanes::NumFloats(width, height, num_channels);
+  return {width, height, num_channels, arena.Take<float>(num_floats)};
+}
+
+// What the scores in the box depend on; nothing for an empty box.
+RegionBox WithMargin(const RegionBox& box, const RawImage& image) noexcept {
+  if (box.empty()) return {};
+  return {.first_u = std::max(0, box.first_u - internal::kRegionMargin),
+          .last_u = std::min(image.width, box.last_u + internal::kRegionMargin),
+          .first_v = std::max(0, box.first_v - internal::kRegionMargin),
+          .last_v = std::min(image.height, box.last_v + internal::kRegionMargin)};
+}
+
+// What the decision values of one scale take.
+struct ScaleWeights {
+  const internal::FilterPlan& plan;
+  const internal::PixelKernels& kernels;
+  const float* weights;
+};
+
+ScaleMap ScoreScale(const ChannelPlanes& planes,
+                    int scale,
+                    const ScaleWeights& weights,
+                    Arena& arena,
+                    internal::StripBuffers& buffers,
+                    StripSums& sums) noexcept {
+  ChannelPlanes small = MakePlanes(internal::ShrunkSide(planes.width(), scale),
+                                   internal::ShrunkSide(planes.height(), scale),
+                                   planes.num_channels(),
+                                   arena);
+  small.ShrinkFrom(planes, scale);
+  auto* values = arena.Take<float>(NumPixels(small.width(), small.height()));
+  const ScoringLevel level{
+      small, weights.plan, weights.kernels, weights.weights, 1, 0.0F, {}, false};
+  ScoreLevel(level, {.map = values, .stride = small.width()}, buffers, sums);
+  return {scale, small.width(), values};
 }
 
 // FeatureSpec order [window row][window column][filter] → [filter][column][row].
@@ -152,12 +177,14 @@ std::size_t PixelScorer::WorkspaceBytes(int max_width, int max_height) const noe
   };
   std::size_t bytes = rounded(ChannelPlanes::NumFloats(max_width, max_height, num_channels)) +
                       Arena::RoundedBytes(sizeof(internal::StripBuffers)) +
-                      Arena::RoundedBytes(sizeof(StripSums));
+                      Arena::RoundedBytes(sizeof(StripSums)) +
+                      rounded(RegionSums::NumFloats(max_width, spec_.window)) +
+                      Arena::RoundedBytes(NumPixels(max_width, max_height));
   for (const int scale : spec_.scales) {
     const int width = internal::ShrunkSide(max_width, scale);
     const int height = internal::ShrunkSide(max_height, scale);
     bytes += rounded(ChannelPlanes::NumFloats(width, height, num_channels)) +
-             rounded(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+             rounded(NumPixels(width, height));
   }
   return bytes;
 }
@@ -166,62 +193,106 @@ void PixelScorer::Score(const RawImage& image,
                         std::span<std::byte> workspace,
                         float* probabilities,
                         std::ptrdiff_t stride) const noexcept {
-  Run(image, workspace, probabilities, stride, true);
+  Run(image, workspace, {.map = probabilities, .stride = stride}, nullptr, true);
 }
 
 void PixelScorer::ScoreDecisionValues(const RawImage& image,
                                       std::span<std::byte> workspace,
                                       float* decision_values,
                                       std::ptrdiff_t stride) const noexcept {
-  Run(image, workspace, decision_values, stride, false);
+  Run(image, workspace, {.map = decision_values, .stride = stride}, nullptr, false);
+}
+
+ScoringWay PixelScorer::CheaperWay(int width, int height, const PixelMask& mask) const noexcept {
+  // A column costs more in the sparse way, where a row's sums leave the first-level cache; looking
+  // at the mask costs as much as some features. Measured: region_scoring_benchmark.
+  constexpr double kSparseFactor = 1.15;
+  constexpr double kMaskFeatures = 30.0;
+  const RegionBox box = internal::BoxOf(mask, width, height);
+  const int radius = spec_.window / 2;
+  const double factor = kSparseFactor + kMaskFeatures / spec_.NumFeatures();
+  const auto sparse = static_cast<double>(internal::SparseCost(mask, box, radius));
+  const auto dense = static_cast<double>(internal::DenseCost(width, height, radius));
+  return factor * sparse < dense ? ScoringWay::kSparse : ScoringWay::kDense;
+}
+
+void PixelScorer::ScoreMask(const RawImage& image,
+                            const PixelMask& mask,
+                            ScoringWay way,
+                            std::span<std::byte> workspace,
+                            float* probabilities,
+                            std::ptrdiff_t stride) const noexcept {
+  if (way == ScoringWay::kSparse) {
+    Run(image, workspace, {.map = probabilities, .stride = stride}, &mask, true);
+    return;
+  }
+  Score(image, workspace, probabilities, stride);
+  for (int v = 0; v < image.height; ++v) {
+    float* const row = probabilities + v * stride;
+    const std::uint8_t* const wanted = mask.Row(v);
+    for (int u = 0; u < image.width; ++u) row[u] = wanted[u] != 0 ? row[u] : 0.0F;
+  }
+}
+
+void PixelScorer::ScorePixels(const RawImage& image,
+                              std::span<const PixelPosition> pixels,
+                              std::span<std::byte> workspace,
+                              float* probabilities) const noexcept {
+  const std::size_t num_pixels = NumPixels(image.width, image.height);
+  auto* const wanted = reinterpret_cast<std::uint8_t*>(workspace.data());
+  std::fill_n(wanted, num_pixels, std::uint8_t{0});
+  for (const PixelPosition& pixel : pixels) {
+    wanted[static_cast<std::ptrdiff_t>(pixel.v) * image.width + pixel.u] = 1;
+  }
+  const PixelMask mask{wanted, image.width};
+  Run(image,
+      workspace.subspan(Arena::RoundedBytes(num_pixels)),
+      {.pixels = pixels, .values = probabilities},
+      &mask,
+      true);
 }
 
 void PixelScorer::Run(const RawImage& image,
                       std::span<std::byte> workspace,
-                      float* out,
-                      std::ptrdiff_t stride,
+                      const internal::RegionOutput& output,
+                      const PixelMask* mask,
                       bool as_probability) const noexcept {
   const internal::PixelKernels& kernels = internal::KernelsFor(instruction_set_);
   const internal::FilterPlan plan(spec_);
-  const int num_channels = spec_.NeedsColour() ? 3 : 1;
   Arena arena(workspace.data());
   auto& buffers = *arena.Take<internal::StripBuffers>(1);
   auto& sums = *arena.Take<StripSums>(1);
-  const auto make_planes = [&](int width, int height) {
-    const std::size_t num_floats = ChannelPlanes::NumFloats(width, height, num_channels);
-    return ChannelPlanes(width, height, num_channels, arena.Take<float>(num_floats));
-  };
-  ChannelPlanes planes = make_planes(image.width, image.height);
-  planes.Convert(image, kernels);
+  const RegionSums region_sums{arena.Take<float>(RegionSums::NumFloats(image.width, spec_.window))};
+  const RegionBox box =
+      mask == nullptr ? RegionBox{} : internal::BoxOf(*mask, image.width, image.height);
+  ChannelPlanes planes = MakePlanes(image.width, image.height, spec_.NeedsColour() ? 3 : 1, arena);
+  if (mask != nullptr && spec_.scales.empty()) {
+    planes.ConvertPart(image, kernels, WithMargin(box, image));
+  } else {
+    planes.Convert(image, kernels);  // a shrunk picture is made of all of it
+  }
 
+  std::array<ScaleMap, kMaxScales> maps{};
   const float* scale_weights =
       packed_weights_.data() + plan.num_filters * spec_.window * spec_.window;
-  std::array<ScaleMap, kMaxScales> maps{};
-  std::size_t num_maps = 0;
-  for (const int scale : spec_.scales) {
-    ChannelPlanes small = make_planes(internal::ShrunkSide(image.width, scale),
-                                      internal::ShrunkSide(image.height, scale));
-    small.ShrinkFrom(planes, scale);
-    auto* values = arena.Take<float>(static_cast<std::size_t>(small.width()) *
-                                     static_cast<std::size_t>(small.height()));
-    ScoreLevel({small, plan, kernels, scale_weights, 1, 0.0F, {}, false, values, small.width()},
-               buffers,
-               sums);
-    maps[num_maps++] = {scale, small.width(), values};
+  for (std::size_t i = 0; i < spec_.scales.size(); ++i) {
+    maps[i] =
+        ScoreScale(planes, spec_.scales[i], {plan, kernels, scale_weights}, arena, buffers, sums);
     scale_weights += plan.num_filters;
   }
-  ScoreLevel({planes,
-              plan,
-              kernels,
-              packed_weights_.data(),
-              spec_.window,
-              static_cast<float>(intercept_),
-              std::span(maps).first(num_maps),
-              as_probability,
-              out,
-              stride},
-             buffers,
-             sums);
+  const ScoringLevel level{planes,
+                           plan,
+                           kernels,
+                           packed_weights_.data(),
+                           spec_.window,
+                           static_cast<float>(intercept_),
+                           std::span(maps).first(spec_.scales.size()),
+                           as_probability};
+  if (mask != nullptr) {
+    internal::ScoreRegion(level, *mask, box, region_sums, buffers, output);
+  } else {
+    ScoreLevel(level, output, buffers, sums);
+  }
 }
 
 }  // namespace handcraft::features

@@ -11,8 +11,13 @@
 #include "lib/features/colour.h"
 #include "lib/features/feature_spec.h"
 #include "lib/features/instruction_set.h"
+#include "lib/features/pixel_region.h"
 
 namespace handcraft::features {
+
+namespace internal {
+struct RegionOutput;
+}
 
 /// Scores every pixel of a picture with a linear model on its features, without ever forming the
 /// feature vectors:
@@ -36,7 +41,7 @@ class PixelScorer {
   [[nodiscard]] const FeatureSpec& spec() const noexcept { return spec_; }
   [[nodiscard]] InstructionSet instruction_set() const noexcept { return instruction_set_; }
 
-  /// Bytes that Score needs for a picture of at most this size, for any pixel format.
+  /// Bytes that scoring needs for a picture of at most this size, for any pixel format.
   [[nodiscard]] std::size_t WorkspaceBytes(int max_width, int max_height) const noexcept;
 
   /// Writes the probability of every pixel: row v at probabilities + v · stride (in floats).
@@ -54,11 +59,32 @@ class PixelScorer {
                            float* decision_values,
                            std::ptrdiff_t stride) const noexcept;
 
+  /// Whether the wanted pixels of a picture are scored sooner alone or with all others: by the
+  /// columns that either way computes, overheads included (docs/methods/search_space_reduction.md).
+  [[nodiscard]] ScoringWay CheaperWay(int width, int height, const PixelMask& mask) const noexcept;
+
+  /// Writes the probability of every pixel that is not 0 in the mask, and 0 for the others; both
+  /// ways write the same bits, those of Score. Preconditions as for Score; the mask is of the
+  /// picture's size.
+  void ScoreMask(const RawImage& image,
+                 const PixelMask& mask,
+                 ScoringWay way,
+                 std::span<std::byte> workspace,
+                 float* probabilities,
+                 std::ptrdiff_t stride) const noexcept;
+
+  /// Writes the probability of pixels[i] to probabilities[i], with the bits of Score. The pixels
+  /// lie in the picture and are in the order of their rows. Always in the sparse way.
+  void ScorePixels(const RawImage& image,
+                   std::span<const PixelPosition> pixels,
+                   std::span<std::byte> workspace,
+                   float* probabilities) const noexcept;
+
  private:
   void Run(const RawImage& image,
            std::span<std::byte> workspace,
-           float* out,
-           std::ptrdiff_t stride,
+           const internal::RegionOutput& output,
+           const PixelMask* mask,
            bool as_probability) const noexcept;
 
   FeatureSpec spec_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <memory>
 #include <new>
@@ -132,6 +133,43 @@ bool IsFormat(hc_pixel_format pixel_format) noexcept {
   return pixel_format == HC_GRAY8 || pixel_format == HC_BGR8 || pixel_format == HC_RGB8;
 }
 
+// A picture that a model can score in a workspace.
+struct ScoringTask {
+  const PixelScorer* scorer = nullptr;
+  handcraft::features::RawImage image;
+};
+
+// What the functions that score a picture have in common.
+hc_status PrepareScoring(const hc_model* model,
+                         hc_workspace* workspace,
+                         const hc_image* image,
+                         ScoringTask& task) noexcept {
+  if (model == nullptr || workspace == nullptr || image == nullptr || image->data == nullptr ||
+      !IsFormat(image->format)) {
+    return HC_ERROR_ARGUMENT;
+  }
+  task.scorer = std::get_if<PixelScorer>(&model->predictor);
+  if (task.scorer == nullptr) return HC_ERROR_KIND;
+  task.image = {.data = image->data,
+                .width = image->width,
+                .height = image->height,
+                .stride_bytes = static_cast<std::ptrdiff_t>(image->stride_bytes),
+                .format = static_cast<handcraft::features::PixelFormat>(image->format)};
+  const handcraft::features::RawImage& raw = task.image;
+  const int num_channels = handcraft::features::NumChannels(raw.format);
+  if (raw.width < 1 || raw.height < 1 || raw.width > workspace->max_width ||
+      raw.height > workspace->max_height ||
+      (task.scorer->spec().NeedsColour() && num_channels == 1)) {
+    return HC_ERROR_IMAGE;
+  }
+  // The workspace may have been made for another model.
+  if (!FitsStride(std::int64_t{raw.width} * num_channels, raw.stride_bytes) ||
+      task.scorer->WorkspaceBytes(raw.width, raw.height) > workspace->buffer.Bytes().size()) {
+    return HC_ERROR_ARGUMENT;
+  }
+  return HC_OK;
+}
+
 }  // namespace
 
 hc_status hc_model_load_memory(const void* bytes, size_t size, hc_model** model, hc_error* error) {
@@ -203,31 +241,65 @@ hc_status hc_score_image(const hc_model* model,
                          const hc_image* image,
                          float* probabilities,
                          int64_t stride) {
-  if (model == nullptr || workspace == nullptr || image == nullptr || image->data == nullptr ||
-      probabilities == nullptr || !IsFormat(image->format)) {
+  ScoringTask task;
+  const hc_status status = PrepareScoring(model, workspace, image, task);
+  if (status != HC_OK) return status;
+  if (probabilities == nullptr || !FitsStride(task.image.width, stride)) return HC_ERROR_ARGUMENT;
+  task.scorer->Score(
+      task.image, workspace->buffer.Bytes(), probabilities, static_cast<std::ptrdiff_t>(stride));
+  return HC_OK;
+}
+
+hc_status hc_score_mask(const hc_model* model,
+                        hc_workspace* workspace,
+                        const hc_image* image,
+                        const uint8_t* mask,
+                        int64_t mask_stride,
+                        float* probabilities,
+                        int64_t stride) {
+  ScoringTask task;
+  const hc_status status = PrepareScoring(model, workspace, image, task);
+  if (status != HC_OK) return status;
+  const handcraft::features::RawImage& raw = task.image;
+  if (mask == nullptr || !FitsStride(raw.width, mask_stride) || probabilities == nullptr ||
+      !FitsStride(raw.width, stride)) {
     return HC_ERROR_ARGUMENT;
   }
-  const auto* scorer = std::get_if<PixelScorer>(&model->predictor);
-  if (scorer == nullptr) return HC_ERROR_KIND;
-  const handcraft::features::RawImage raw{
-      .data = image->data,
-      .width = image->width,
-      .height = image->height,
-      .stride_bytes = static_cast<std::ptrdiff_t>(image->stride_bytes),
-      .format = static_cast<handcraft::features::PixelFormat>(image->format)};
-  const int num_channels = handcraft::features::NumChannels(raw.format);
-  if (raw.width < 1 || raw.height < 1 || raw.width > workspace->max_width ||
-      raw.height > workspace->max_height || (scorer->spec().NeedsColour() && num_channels == 1)) {
-    return HC_ERROR_IMAGE;
+  const handcraft::features::PixelMask wanted{mask, static_cast<std::ptrdiff_t>(mask_stride)};
+  task.scorer->ScoreMask(raw,
+                         wanted,
+                         task.scorer->CheaperWay(raw.width, raw.height, wanted),
+                         workspace->buffer.Bytes(),
+                         probabilities,
+                         static_cast<std::ptrdiff_t>(stride));
+  return HC_OK;
+}
+
+hc_status hc_score_pixels(const hc_model* model,
+                          hc_workspace* workspace,
+                          const hc_image* image,
+                          const hc_pixel* pixels,
+                          size_t count,
+                          float* probabilities) {
+  ScoringTask task;
+  const hc_status status = PrepareScoring(model, workspace, image, task);
+  if (status != HC_OK) return status;
+  if (count == 0) return HC_OK;
+  if (pixels == nullptr || probabilities == nullptr) return HC_ERROR_ARGUMENT;
+  for (size_t i = 0; i < count; ++i) {
+    const hc_pixel& pixel = pixels[i];
+    if (pixel.u < 0 || pixel.v < 0 || pixel.u >= task.image.width || pixel.v >= task.image.height ||
+        (i > 0 && pixel.v < pixels[i - 1].v)) {
+      return HC_ERROR_ARGUMENT;
+    }
   }
-  // The workspace may have been made for another model.
-  const std::span<std::byte> scratch = workspace->buffer.Bytes();
-  if (!FitsStride(std::int64_t{raw.width} * num_channels, raw.stride_bytes) ||
-      !FitsStride(raw.width, stride) ||
-      scorer->WorkspaceBytes(raw.width, raw.height) > scratch.size()) {
-    return HC_ERROR_ARGUMENT;
-  }
-  scorer->Score(raw, scratch, probabilities, static_cast<std::ptrdiff_t>(stride));
+  using handcraft::features::PixelPosition;
+  static_assert(sizeof(hc_pixel) == sizeof(PixelPosition) &&
+                offsetof(hc_pixel, v) == offsetof(PixelPosition, v));
+  task.scorer->ScorePixels(task.image,
+                           {reinterpret_cast<const PixelPosition*>(pixels), count},
+                           workspace->buffer.Bytes(),
+                           probabilities);
   return HC_OK;
 }
 

@@ -102,6 +102,37 @@ HC_API hc_status hc_score_image(const hc_model* model,
                                 float* probabilities,
                                 int64_t stride);
 
+/**
+ * As hc_score_image for the pixels whose byte in `mask` is not 0 (row v at mask + v * mask_stride);
+ * the others get 0. The numbers are those of hc_score_image, bit for bit. Picks what is sooner
+ * done, scoring these pixels alone or all, by itself. Does not allocate. HC_ERROR_KIND,
+ * HC_ERROR_ARGUMENT, HC_ERROR_IMAGE.
+ */
+HC_API hc_status hc_score_mask(const hc_model* model,
+                               hc_workspace* workspace,
+                               const hc_image* image,
+                               const uint8_t* mask,
+                               int64_t mask_stride,
+                               float* probabilities,
+                               int64_t stride);
+
+typedef struct hc_pixel {
+  int32_t u; /**< column [px] */
+  int32_t v; /**< row [px] */
+} hc_pixel;
+
+/**
+ * As hc_score_image for `count` pixels of the image: probabilities[i] is that of pixels[i]. Rows
+ * must not descend (pixels[i].v <= pixels[i + 1].v); within a row any order, and repeats, will do.
+ * Does not allocate. HC_ERROR_KIND, HC_ERROR_ARGUMENT, HC_ERROR_IMAGE.
+ */
+HC_API hc_status hc_score_pixels(const hc_model* model,
+                                 hc_workspace* workspace,
+                                 const hc_image* image,
+                                 const hc_pixel* pixels,
+                                 size_t count,
+                                 float* probabilities);
+
 typedef struct hc_point {
   int32_t u; /**< column [px] */
   int32_t v; /**< row [px] */

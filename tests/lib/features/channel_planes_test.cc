@@ -27,6 +27,20 @@ TEST(ChannelPlanes, RepeatsTheBorder) {
   EXPECT_FLOAT_EQ(*planes.At(ChannelPlanes::kY, 1, 9), 1.0F);
 }
 
+TEST(ChannelPlanes, ConvertsAPartAlone) {
+  const std::vector<std::uint8_t> pixels = {0, 51, 102, 255, 0, 153};  // 3 × 2
+  const RawImage image{pixels.data(), 3, 2, 3, PixelFormat::kGray8};
+  std::vector<float> memory(ChannelPlanes::NumFloats(3, 2, 1), -1.0F);
+  ChannelPlanes planes(3, 2, 1, memory.data());
+  planes.ConvertPart(image, Kernels(), {.first_u = 1, .last_u = 3, .first_v = 1, .last_v = 2});
+  EXPECT_FLOAT_EQ(*planes.At(ChannelPlanes::kY, 1, 1), 0.0F);
+  EXPECT_FLOAT_EQ(*planes.At(ChannelPlanes::kY, 2, 1), 0.6F);
+  EXPECT_FLOAT_EQ(*planes.At(ChannelPlanes::kY, 2 + kSlack, 1), 0.6F) << "the picture ends there";
+  EXPECT_EQ(*planes.At(ChannelPlanes::kY, 0, 1), -1.0F);
+  EXPECT_EQ(*planes.At(ChannelPlanes::kY, -1, 1), -1.0F) << "the part does not begin there";
+  EXPECT_EQ(*planes.At(ChannelPlanes::kY, 1, 0), -1.0F);
+}
+
 TEST(ChannelPlanes, ShrinksByTheMeanOfThePixelsThereAre) {
   const std::vector<std::uint8_t> pixels = {0, 255, 51, 255, 0, 153};  // 3 × 2
   std::vector<float> memory(ChannelPlanes::NumFloats(3, 2, 1));
@@ -54,6 +68,28 @@ TEST(FilterStripRow, RepeatsTheEnergyOfTheLastColumnInside) {
     EXPECT_EQ(row[1], row[kMaxRadius]);
     EXPECT_EQ(row[9 + kMaxRadius], row[8 + kMaxRadius]);
     EXPECT_EQ(row[9 + kMaxRadius + 1], row[8 + kMaxRadius]);
+  }
+}
+
+// A piece that starts one column right of the border is the same row moved.
+TEST(FilterStripRow, StartsAtAnyColumn) {
+  const auto picture = features::testing::MakePicture(60, 9, PixelFormat::kGray8, 1);
+  std::vector<float> memory(ChannelPlanes::NumFloats(60, 9, 1));
+  ChannelPlanes planes(60, 9, 1, memory.data());
+  planes.Convert(picture.raw, Kernels());
+  const FilterPlan plan(ParseFeatureSpec("all500"));
+  const auto whole = std::make_unique<StripBuffers>();
+  const auto piece = std::make_unique<StripBuffers>();
+  FilterStripRow(planes, plan, Kernels(), 0, 60, 4, *whole);
+  for (const int first : {1, 2, 3, 17, 55}) {
+    FilterStripRow(planes, plan, Kernels(), first, 60 - first, 4, *piece);
+    for (int filter = 0; filter < plan.num_filters; ++filter) {
+      for (int i = 0; i < 60 - first + 2 * kMaxRadius; ++i) {
+        ASSERT_EQ(piece->energies[static_cast<std::size_t>(filter * kStripStride + i)],
+                  whole->energies[static_cast<std::size_t>(filter * kStripStride + first + i)])
+            << first << ' ' << filter << ' ' << i;
+      }
+    }
   }
 }
 

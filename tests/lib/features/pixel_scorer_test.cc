@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lib/core/rng.h"
 #include "lib/features/pixel_features.h"
 #include "tests/lib/features/feature_oracle.h"
 #include "tests/support/allocation_counter.h"
@@ -116,6 +117,80 @@ TEST_P(PixelScorerTest, FusedSetsGiveTheSameBits) {
   }
 }
 
+// Some masks of a picture: rows and columns at its borders, a ring, scattered pixels, all, none.
+std::vector<std::vector<std::uint8_t>> SomeMasks(int width, int height) {
+  const auto size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  std::vector<std::vector<std::uint8_t>> masks(5, std::vector<std::uint8_t>(size));
+  Rng rng = Rng::Stream(1, "masks");
+  for (int v = 0; v < height; ++v) {
+    for (int u = 0; u < width; ++u) {
+      const auto i = static_cast<std::size_t>(v * width + u);
+      const bool is_border = u == 0 || v == 0 || u == width - 1 || v == height - 1;
+      masks[0][i] = is_border ? 1 : 0;
+      const double radius = std::hypot(u - 0.5 * width, v - 0.5 * height);
+      masks[1][i] = std::abs(radius - 0.3 * std::min(width, height)) < 2.0 ? 255 : 0;
+      masks[2][i] = rng.UniformInt(20) == 0 ? 7 : 0;
+      masks[3][i] = 1;
+    }
+  }
+  return masks;
+}
+
+TEST_P(PixelScorerTest, ScoresWantedPixelsInEitherWayToTheSameBits) {
+  const Case& c = GetParam();
+  const FeatureSpec spec = ParseFeatureSpec(c.spec);
+  const Picture picture = MakePicture(c.width, c.height, c.format, 1, 3);
+  for (const InstructionSet set : SupportedInstructionSets()) {
+    const PixelScorer scorer(spec, RandomWeights(spec.NumFeatures(), 0.1, 2), 0.25, set);
+    const std::vector<float> all = Score(scorer, picture.raw, true);
+    const Workspace workspace(scorer.WorkspaceBytes(c.width, c.height));
+    for (const auto& wanted : SomeMasks(c.width, c.height)) {
+      std::vector<float> expected = all;
+      std::vector<PixelPosition> pixels;
+      std::vector<float> expected_list;
+      for (std::size_t i = 0; i < wanted.size(); ++i) {
+        if (wanted[i] == 0) expected[i] = 0.0F;
+        if (wanted[i] == 0) continue;
+        pixels.push_back({static_cast<int>(i) % c.width, static_cast<int>(i) / c.width});
+        expected_list.push_back(all[i]);
+      }
+      for (const ScoringWay way : {ScoringWay::kDense, ScoringWay::kSparse}) {
+        std::vector<float> map(all.size(), -1.0F);
+        scorer.ScoreMask(
+            picture.raw, {wanted.data(), c.width}, way, workspace.span(), map.data(), c.width);
+        ASSERT_EQ(map, expected) << NameOf(set) << static_cast<int>(way);
+      }
+      std::vector<float> list(pixels.size(), -1.0F);
+      scorer.ScorePixels(picture.raw, pixels, workspace.span(), list.data());
+      ASSERT_EQ(list, expected_list) << NameOf(set);
+    }
+  }
+}
+
+TEST(PixelScorer, TakesTheSparseWayForOutlinesAndTheDenseForAll) {
+  const PixelScorer scorer(ParseFeatureSpec("window180"), RandomWeights(180, 0.1, 2), 0.0);
+  const auto masks = SomeMasks(300, 200);
+  const auto way = [&](std::size_t i) {
+    return scorer.CheaperWay(300, 200, {masks[i].data(), 300});
+  };
+  EXPECT_EQ(way(1), ScoringWay::kSparse) << "a ring";
+  EXPECT_EQ(way(2), ScoringWay::kDense) << "one pixel in twenty, everywhere";
+  EXPECT_EQ(way(3), ScoringWay::kDense) << "all";
+  EXPECT_EQ(way(4), ScoringWay::kSparse) << "none";
+}
+
+TEST(PixelScorer, TakesAPixelTwiceAndAnyColumnOrder) {
+  const FeatureSpec spec = ParseFeatureSpec("edges54");
+  const Picture picture = MakePicture(33, 7, PixelFormat::kGray8, 4);
+  const PixelScorer scorer(spec, RandomWeights(54, 1.0, 5), 0.0);
+  const auto all = Score(scorer, picture.raw, true);
+  const Workspace workspace(scorer.WorkspaceBytes(33, 7));
+  const std::vector<PixelPosition> pixels = {{9, 2}, {3, 2}, {9, 2}};
+  std::vector<float> list(3);
+  scorer.ScorePixels(picture.raw, pixels, workspace.span(), list.data());
+  EXPECT_EQ(list, (std::vector{all[2 * 33 + 9], all[2 * 33 + 3], all[2 * 33 + 9]}));
+}
+
 // One weight on edge_0 of the right neighbour: the score is that energy, moved one column.
 TEST(PixelScorer, PutsAWeightWhereItBelongs) {
   const FeatureSpec spec = ParseFeatureSpec("edges150");
@@ -171,8 +246,14 @@ TEST(PixelScorer, AllocatesNothing) {
   const PixelScorer scorer(spec, RandomWeights(459, 1.0, 5), 0.0);
   const Workspace workspace(scorer.WorkspaceBytes(64, 48));
   std::vector<float> out(64 * 48);
+  const std::vector<std::uint8_t> wanted(64 * 48, 1);
+  const PixelMask mask{wanted.data(), 64};
+  const std::vector<PixelPosition> pixels = {{5, 6}};
   const handcraft::testing::AllocationCounter counter;
   scorer.Score(picture.raw, workspace.span(), out.data(), 64);
+  scorer.ScoreMask(
+      picture.raw, mask, scorer.CheaperWay(64, 48, mask), workspace.span(), out.data(), 64);
+  scorer.ScorePixels(picture.raw, pixels, workspace.span(), out.data());
   EXPECT_EQ(counter.Count(), 0U);
 }
 

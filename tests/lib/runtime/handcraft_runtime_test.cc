@@ -240,15 +240,22 @@ TEST(Runtime, DoesNotAllocateAfterLoading) {
   std::size_t count_apart = 15;
   double probability = 0.0;
   const double row[] = {1.0, 2.0};
+  const hc_pixel pixel{5, 6};
 
   const testing::AllocationCounter counter;
   const hc_status scored = hc_score_image(model.get(), workspace.get(), &view, out.data(), 64);
+  const hc_status masked = hc_score_mask(
+      model.get(), workspace.get(), &view, picture.values().data(), 192, out.data(), 64);
+  const hc_status listed =
+      hc_score_pixels(model.get(), workspace.get(), &view, &pixel, 1, out.data());
   const hc_status found = hc_top_k(out.data(), 64, 48, 64, 0.0F, 0, points, &count);
   const hc_status apart = hc_top_k(out.data(), 64, 48, 64, 0.0F, 4, points, &count_apart);
   const hc_status predicted = hc_predict_row(logistic.get(), row, 2, &probability);
   const bool named = hc_model_metadata(model.get(), "hc.name") != nullptr;
   EXPECT_EQ(counter.Count(), 0U);
   EXPECT_EQ(scored, HC_OK);
+  EXPECT_EQ(masked, HC_OK);
+  EXPECT_EQ(listed, HC_OK);
   EXPECT_EQ(found, HC_OK);
   EXPECT_EQ(apart, HC_OK);
   EXPECT_EQ(predicted, HC_OK);
