@@ -33,7 +33,6 @@ build | libhwy-dev         | vector instructions for AVX2, AVX-512 and NEON
 test  | libgtest-dev       | test framework
 test  | libgmock-dev       | matchers for the tests
 test  | libbenchmark-dev   | micro-benchmarks
-test  | lld                | fast linker for the many test programs
 test  | git                | lists the files that are checked
 test  | python3            | reads model files independently of the C++ code
 test  | python3-numpy      | the same

@@ -34,6 +34,7 @@ TIMEOUT_S = 300
 SHOWN_COMMANDS = ("./demo", "./check", "cmake ", "ctest ", "git ", "sudo ", "scripts/", "clang-",
                   "cd ")
 PLACEHOLDER = re.compile(r"\b[A-Z]{3,}\b")
+EIGEN = "/usr/include/eigen3"  # public headers include it
 OWN_INCLUDE = re.compile(r'^#include "(lib|trainers|datasets|experiments)/', flags=re.M)
 
 
@@ -74,7 +75,7 @@ class Runner:
         command = ["cc", "-std=c11"] if block.language == "c" else ["c++", "-std=c++20"]
         command += ["-Wall", "-Wextra", "-Werror", str(source)]
         if OWN_INCLUDE.search(block.text):
-            command += [f"-I{ROOT}", "-fsyntax-only"]
+            command += [f"-I{ROOT}", "-isystem", EIGEN, "-fsyntax-only"]
         elif "int main(" in block.text:
             prefix = self.installed.prefix()
             command += [f"-I{prefix}/include", f"-L{prefix}/lib", "-lhandcraft_runtime",

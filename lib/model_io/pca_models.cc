@@ -9,18 +9,30 @@
 
 namespace handcraft::model_io {
 
+namespace {
+
+void CheckSizes(const PcaModel& model, std::size_t num_columns) {
+  HC_CHECK(num_columns >= 1 && model.eigenvalues.size() == num_columns,
+           num_columns,
+           model.eigenvalues.size());
+  HC_CHECK(model.feature_mean.size() == num_columns && model.feature_scale.size() == num_columns,
+           num_columns,
+           model.feature_mean.size(),
+           model.feature_scale.size());
+  const std::size_t size = model.components.size();
+  HC_CHECK(size >= num_columns && size <= num_columns * num_columns && size % num_columns == 0,
+           num_columns,
+           size);
+}
+
+}  // namespace
+
 ModelFile MakePcaModel(const std::vector<std::string>& column_names,
                        const PcaModel& model,
                        const Provenance& provenance) {
   const std::size_t p = column_names.size();
-  HC_CHECK(p >= 1 && model.eigenvalues.size() == p, p, model.eigenvalues.size());
-  HC_CHECK(model.feature_mean.size() == p && model.feature_scale.size() == p,
-           p,
-           model.feature_mean.size(),
-           model.feature_scale.size());
+  CheckSizes(model, p);
   const std::size_t count = model.components.size() / p;
-  HC_CHECK(
-      count >= 1 && count <= p && model.components.size() == count * p, p, model.components.size());
   ModelFile file{.tensors = {}, .metadata = DescribeOrigin(provenance)};
   file.metadata[std::string(runtime::format::kKindKey)] = "pca";
   file.metadata[std::string(runtime::format::kKindVersionKey)] = "1";

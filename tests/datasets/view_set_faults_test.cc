@@ -10,6 +10,7 @@
 
 #include <gmock/gmock.h>
 
+#include "lib/core/file.h"
 #include "tests/datasets/small_view_set.h"
 #include "tests/support/temporary_directory.h"
 

@@ -59,11 +59,11 @@ TEST_F(CheckCompanionTest, RefusesOtherSizes) {
 }
 
 TEST_F(CheckCompanionTest, RefusesWhatIsNotOfItsKind) {
-  Refuses(kDepth, "mask.png", ": 8 bits a channel; 16 bits are due");
+  Refuses(kDepth, "mask.png", " at byte 24: a PNG of 8 bits a channel; 16 bits are due");
   WriteFileAtomically(folder_ / "scene.toml", "class = 1\nx\n");
   Refuses(kScene, "scene.toml", ":2: not TOML: ");
   WriteFileAtomically(folder_ / "cloud.pcd", "");
-  Refuses(kCloud, "cloud.pcd", ": ends before a line DATA");
+  Refuses(kCloud, "cloud.pcd", ":1: the PCD header ends before a line DATA");
   Refuses(kScene, "gone.toml", ": cannot open: No such file");
 }
 

@@ -69,6 +69,41 @@ TEST_F(TrainGraspPoints, KeepsHeldOutFiguresInTheModel) {
   EXPECT_TRUE(metadata.contains("hc.metrics.held_out.auc_low"));
 }
 
+// The same kind of model by another method; its confusion matrix stands beside the dissertation's.
+TEST_F(TrainGraspPoints, ByLinearDiscriminantAnalysis) {
+  const std::string line = "train grasp-points " + set_.string() + " --out " + model_.string() +
+                           " --samples 400 --features edges54 --method lda --shrinkage auto";
+  const Outcome outcome = RunLine(line);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("linear discriminant analysis"),
+                    HasSubstr("percent of held-out pixels"),
+                    HasSubstr("54.20"),
+                    HasSubstr("34.56")));
+  const auto metadata =
+      nlohmann::json::parse(RunLine("inspect --json " + model_.string()).out)["metadata"];
+  EXPECT_EQ(metadata["hc.kind"], "grasp_point");
+  EXPECT_EQ(metadata["hc.training.algorithm"], "lda");
+  EXPECT_EQ(metadata["hc.training.lda.shrinkage_rule"], "ledoit_wolf");
+  EXPECT_EQ(RunLine("check-model " + model_.string()).code, 0);
+
+  const auto held_out = nlohmann::json::parse(RunLine(line + " --json").out)["held_out"];
+  double total = 0.0;
+  for (const auto& row : held_out["confusion_percent"]) {
+    for (const double percent : row) total += percent;
+  }
+  EXPECT_NEAR(total, 100.0, 1e-9);
+  const auto weighted = held_out["confusion_percent_at_dissertation_ratio"];
+  EXPECT_NEAR(weighted[0][0].get<double>() + weighted[0][1].get<double>(), 62.34, 1e-9);
+}
+
+TEST_F(TrainGraspPoints, RefusesOptionsOfTheOtherMethod) {
+  const Outcome outcome = Train("--method lda");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--ridge is not read with --method lda"));
+  ExpectNothingLeft();
+}
+
 TEST_F(TrainGraspPoints, HoldsNothingOutWhenThereIsNothing) {
   for (const char* options : {"--held-out ''", "--split ''", "--split test"}) {
     const auto json = nlohmann::json::parse(Train("--json " + std::string(options)).out);
