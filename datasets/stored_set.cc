@@ -10,6 +10,7 @@
 #include "datasets/formats/demonstration_set.h"
 #include "datasets/formats/hold_set.h"
 #include "datasets/formats/listing_rules.h"
+#include "datasets/formats/required_list.h"
 #include "datasets/labelled_image_faults.h"
 #include "datasets/view_set_faults.h"
 #include "lib/core/error.h"
@@ -47,7 +48,7 @@ StoredSet OpenSet(const fs::path& root) {
             .has_demonstrations = fs::exists(root / kDemonstrationsFileName),
             .has_holds = fs::exists(root / kHoldsFileName)};
   }
-  if (fs::is_directory(root) && !has_manifest) {
+  if (fs::is_directory(root) && !has_manifest && !fs::exists(root / kMadeUpFileName)) {
     throw Error({.path = root.string(),
                  .reason = "neither manifest.csv nor views.csv in this folder: not a data set",
                  .remedy = "see docs/datasets.md, or make one with handcraft data import or "

@@ -12,6 +12,7 @@
 #include "datasets/formats/csv_records.h"
 #include "datasets/formats/listing_rules.h"
 #include "datasets/formats/mask_picture.h"
+#include "datasets/formats/required_list.h"
 #include "datasets/formats/set_fingerprint.h"
 #include "lib/core/check.h"
 #include "lib/core/error.h"
@@ -117,11 +118,7 @@ LabelledImageSet LabelledImageSet::Only(const std::string& split) const {
 
 LabelledImageSet ReadLabelledImageSet(const fs::path& root) {
   const fs::path path = root / kManifestFileName;
-  if (fs::is_directory(root) && !fs::exists(path)) {
-    throw Error({.path = root.string(),
-                 .reason = "no manifest.csv in this folder: not a labelled image set",
-                 .remedy = "see docs/datasets.md, or make one with handcraft data import"});
-  }
+  RequireList(root, kManifestFileName, "a labelled image set");
   CsvRecords records(path);
   std::vector<std::string_view> fields;
   if (!records.Next(fields)) throw Error({.path = path.string(), .reason = "the file is empty"});

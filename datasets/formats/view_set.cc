@@ -11,6 +11,7 @@
 #include "datasets/formats/csv_records.h"
 #include "datasets/formats/csv_rows.h"
 #include "datasets/formats/listing_rules.h"
+#include "datasets/formats/required_list.h"
 #include "datasets/formats/set_fingerprint.h"
 #include "lib/core/check.h"
 #include "lib/core/error.h"
@@ -78,11 +79,7 @@ ObjectView ReadRow(const CsvRows& rows) {
 
 ViewSet ReadViewSet(const fs::path& root) {
   const fs::path path = root / kViewsFileName;
-  if (fs::is_directory(root) && !fs::exists(path)) {
-    throw Error({.path = root.string(),
-                 .reason = "no views.csv in this folder: not a view set",
-                 .remedy = "see docs/datasets.md, or make one with handcraft data synth"});
-  }
+  RequireList(root, kViewsFileName, "a view set");
   CsvRows rows(path, kColumns, kOptionalColumns);
   ViewSet set{.root = root, .items = {}};
   SeenBefore seen;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "datasets/formats/required_list.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 
@@ -18,7 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kParametersName = "dataset.toml";
 constexpr std::array<std::string_view, 4> kWrittenEndings = {".png", ".toml", ".csv", ".pcd"};
 constexpr std::size_t kTemporaryEndingSize = 7;  // a dot and six letters, as mkstemp makes them
 
@@ -59,7 +59,7 @@ std::string FirstDifference(const std::string& there, std::string_view here) {
 void MakeOrTakeUp(const fs::path& out,
                   std::string_view parameters,
                   std::span<const std::string_view> subfolders) {
-  const fs::path file = out / kParametersName;
+  const fs::path file = out / datasets::kMadeUpFileName;
   if (fs::exists(out) && !fs::is_directory(out))
     RefuseFolder(out, "is not a folder", "choose another name");
   if (fs::exists(file)) {
