@@ -43,6 +43,7 @@ check | clang-tidy         | static analysis
 peers | python3            | runs scikit-learn
 peers | python3-numpy      | hands matrices to scikit-learn
 peers | python3-sklearn    | logistic regression that training is measured against
+peers | libpcl-dev         | plane segmentation that table removal is measured against
 '
 
 usage() {

@@ -22,6 +22,11 @@ std::span<const Benchmark> AllBenchmarks() {
                 .what = "probability of every pixel of a 640x480 picture, 54 features, one core",
                 .run = &BenchmarkScoreEdges54Vga,
                 .reads_repetitions = true},
+      Benchmark{.name = "search_space_vga",
+                .what = "from a 640x480 cloud and picture to ranked grasp points on the object's "
+                        "edges, 180 features, one core",
+                .run = &BenchmarkSearchSpaceVga,
+                .reads_repetitions = true},
       Benchmark{.name = "load_model",
                 .what = "load a 500-feature model: checksum, verification, self-test",
                 .run = &BenchmarkLoadModel,

@@ -53,5 +53,6 @@ BenchmarkResult BenchmarkScoreEdges54Vga(const BenchmarkOptions& options);
 BenchmarkResult BenchmarkLoadModel(const BenchmarkOptions& options);
 BenchmarkResult BenchmarkTrainIrls(const BenchmarkOptions& options);
 BenchmarkResult BenchmarkPca(const BenchmarkOptions& options);
+BenchmarkResult BenchmarkSearchSpaceVga(const BenchmarkOptions& options);
 
 }  // namespace handcraft::experiments

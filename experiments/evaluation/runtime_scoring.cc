@@ -26,7 +26,13 @@ void ThrowUnlessOk(hc_status status, const std::string& path) {
 
 }  // namespace
 
-RuntimeScores ScoreWithRuntime(const hc_model* model, const Image& image, const std::string& path) {
+RuntimeScores ScoreWithRuntime(const hc_model* model,
+                               const Image& image,
+                               const std::string& path,
+                               const Image* mask) {
+  HC_CHECK(mask == nullptr || (mask->width() == image.width() && mask->height() == image.height() &&
+                               mask->channels() == 1),
+           path);
   hc_workspace* workspace = nullptr;
   ThrowUnlessOk(hc_workspace_create(model, image.width(), image.height(), &workspace), path);
   const std::unique_ptr<hc_workspace, FreeWorkspace> owner(workspace);
@@ -38,8 +44,12 @@ RuntimeScores ScoreWithRuntime(const hc_model* model, const Image& image, const 
   RuntimeScores scores;
   scores.probabilities = FloatImage(image.width(), image.height());
   const auto start = std::chrono::steady_clock::now();
+  float* const map = scores.probabilities.Row(0);
+  const std::int64_t width = image.width();
   const hc_status status =
-      hc_score_image(model, workspace, &view, scores.probabilities.Row(0), image.width());
+      mask == nullptr
+          ? hc_score_image(model, workspace, &view, map, width)
+          : hc_score_mask(model, workspace, &view, mask->values().data(), width, map, width);
   const auto end = std::chrono::steady_clock::now();
   ThrowUnlessOk(status, path);
   scores.score_ms = std::chrono::duration<double, std::milli>(end - start).count();

@@ -33,6 +33,7 @@ Bytes Scattered(int width, int height, int one_in) {
 
 Bytes Disc(int width, int height, int percent) {
   Bytes wanted;
+  wanted.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   const double scale = std::hypot(0.5 * width, 0.5 * height);
   for (int v = 0; v < height; ++v) {
     for (int u = 0; u < width; ++u) {

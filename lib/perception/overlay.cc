@@ -40,6 +40,23 @@ void Blend(std::uint8_t* pixel, const Colour& colour, float opacity) {
   }
 }
 
+constexpr Colour kBlue = {255.0F, 80.0F, 0.0F};
+
+// The picture in colour, each pixel changed by tint(value of the mask, pixel).
+template <class TintPixel>
+Image Tint(const Image& image, const Image& mask, const TintPixel& tint) {
+  HC_CHECK(mask.width() == image.width() && mask.height() == image.height() && mask.channels() == 1,
+           mask.width(),
+           mask.height(),
+           image.width(),
+           image.height());
+  Image drawn = ToColour(image);
+  for (int v = 0; v < drawn.height(); ++v) {
+    for (int u = 0; u < drawn.width(); ++u) tint(mask.At(u, v), &drawn.At(u, v));
+  }
+  return drawn;
+}
+
 void BlendProbabilities(Image& image, const FloatImage& probabilities) {
   constexpr float kOpacityAtOne = 0.4F;  // the picture stays visible
   for (int v = 0; v < image.height(); ++v) {
@@ -157,19 +174,16 @@ Image DrawGraspPoints(const Image& image,
 Image DrawLabelMask(const Image& image, const Image& mask) {
   constexpr std::uint8_t kGood = 255;
   constexpr std::uint8_t kDontCare = 128;
-  HC_CHECK(mask.width() == image.width() && mask.height() == image.height() && mask.channels() == 1,
-           mask.width(),
-           mask.height(),
-           image.width(),
-           image.height());
-  Image drawn = ToColour(image);
-  for (int v = 0; v < drawn.height(); ++v) {
-    for (int u = 0; u < drawn.width(); ++u) {
-      if (mask.At(u, v) == kGood) Blend(&drawn.At(u, v), {0.0F, 230.0F, 0.0F}, 0.6F);
-      if (mask.At(u, v) == kDontCare) Blend(&drawn.At(u, v), {255.0F, 80.0F, 0.0F}, 0.3F);
-    }
-  }
-  return drawn;
+  return Tint(image, mask, [](std::uint8_t label, std::uint8_t* pixel) {
+    if (label == kGood) Blend(pixel, {0.0F, 230.0F, 0.0F}, 0.6F);
+    if (label == kDontCare) Blend(pixel, kBlue, 0.3F);
+  });
+}
+
+Image DrawRegion(const Image& image, const Image& mask) {
+  return Tint(image, mask, [](std::uint8_t wanted, std::uint8_t* pixel) {
+    if (wanted != 0) Blend(pixel, kBlue, 0.5F);
+  });
 }
 
 }  // namespace handcraft::perception

@@ -27,4 +27,7 @@ struct MarkedPoint {
 /// untouched.
 [[nodiscard]] Image DrawLabelMask(const Image& image, const Image& mask);
 
+/// The picture with the pixels of a region (not 0 in the mask) tinted blue.
+[[nodiscard]] Image DrawRegion(const Image& image, const Image& mask);
+
 }  // namespace handcraft::perception

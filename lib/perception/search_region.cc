@@ -147,6 +147,12 @@ SearchRegion SearchRegionFinder::Find(const Image& image, const CloudView& cloud
   HC_CHECK(image.empty() || image.channels() == 1 || image.channels() == 3, image.channels());
   SearchRegion region;
   region.mask = Image(image.width(), image.height());
+  FindObject(cloud, region);
+  if (region.HasRegion()) FindEdges(image, region);
+  return region;
+}
+
+void SearchRegionFinder::FindObject(const CloudView& cloud, SearchRegion& region) {
   region.stages.push_back({.name = "picture", .num_pixels = cloud.points.size()});
   StageClock clock(region.stages);
   TablePlanes table = FindTable(cloud, options_.table);
@@ -155,12 +161,16 @@ SearchRegion SearchRegionFinder::Find(const Image& image, const CloudView& cloud
       TakePointsOffPlanes(cloud, region.table, options_.table.epsilon_m, points_);
   region.stages.push_back({.name = "measured", .num_pixels = num_measured});
   clock.Done("off the table", points_.size());
-  if (num_measured == 0) return region;
-  region.state = SearchState::kNothingLeft;
+  if (num_measured == 0) return;
   RemoveOutliers(points_, options_.outliers);
   clock.Done("without outliers", points_.size());
-  if (points_.empty()) return region;
+  region.state = points_.empty()                       ? SearchState::kNothingLeft
+                 : table.state == TableState::kNoPlane ? SearchState::kNoTable
+                                                       : SearchState::kFound;
+}
 
+void SearchRegionFinder::FindEdges(const Image& image, SearchRegion& region) const {
+  StageClock clock(region.stages);
   region.crop = BoxOf(points_, image, options_.margin_px);
   cv::Mat near;
   if (options_.shape == CropShape::kOutline) {
@@ -172,15 +182,14 @@ SearchRegion SearchRegionFinder::Find(const Image& image, const CloudView& cloud
   if (!near.empty()) cv::bitwise_and(edges, near, edges);
   const std::size_t num_edges = NumPixels(edges);
   clock.Done("edges", num_edges);
-  region.state = SearchState::kNoEdges;
-  if (num_edges == 0) return region;
-
+  if (num_edges == 0) {
+    region.state = SearchState::kNoEdges;
+    return;
+  }
   cv::Mat whole(image.height(), image.width(), CV_8U, region.mask.Row(0));
   cv::Mat mask = whole(RectOf(region.crop));
   cv::dilate(edges, mask, cv::getStructuringElement(cv::MORPH_RECT, {3, 3}));
   clock.Done("region", NumPixels(mask));
-  region.state = table.state == TableState::kNoPlane ? SearchState::kNoTable : SearchState::kFound;
-  return region;
 }
 
 }  // namespace handcraft::perception

@@ -90,6 +90,9 @@ class SearchRegionFinder {
   [[nodiscard]] SearchRegion Find(const Image& image, const CloudView& cloud);
 
  private:
+  void FindObject(const CloudView& cloud, SearchRegion& region);
+  void FindEdges(const Image& image, SearchRegion& region) const;
+
   SearchRegionOptions options_;
   PixelPoints points_;
 };

@@ -6,6 +6,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -27,6 +28,7 @@
 #include "tools/number_option.h"
 #include "tools/output_folder.h"
 #include "tools/progress_bar.h"
+#include "tools/search_input.h"
 #include "tools/text_table.h"
 
 namespace handcraft::tools {
@@ -47,6 +49,7 @@ struct PredictOptions {
   double min_probability = 0.9;
   int suppression_radius_px = 8;
   bool json = false;
+  SearchInput search;
   std::vector<std::string> picture_options;  // given, and read by grasp-point models alone
 };
 
@@ -64,37 +67,88 @@ Json PointsJson(const std::string& path, const Image& image, const std::vector<h
   return json;
 }
 
-Image Overlay(const Image& image,
-              const FloatImage& probabilities,
-              const std::vector<hc_point>& points) {
-  std::vector<perception::MarkedPoint> marks;
-  marks.reserve(points.size());
-  for (const hc_point& point : points) {
-    marks.push_back({.u_px = point.u, .v_px = point.v, .probability = point.probability});
-  }
-  return perception::DrawGraspPoints(image, probabilities, marks);
-}
-
 // <stem>.<ending>, the name of what is written beside others about an input.
 std::string OutputName(const std::string& input, const char* ending) {
   return fs::path(input).stem().string() + ending;
 }
 
-// Scores one picture; writes what was found and an overlay when there is a folder.
+// What was found in one picture.
+struct Prediction {
+  Image image;
+  std::optional<perception::SearchRegion> region;  // where it was looked for; none: everywhere
+  FloatImage probabilities;
+  std::vector<hc_point> points;
+};
+
+// The region of the picture that stands on a table. Throws Error(kNoResult) when there is none.
+perception::SearchRegion FindRegion(const SearchInput& search,
+                                    const std::string& path,
+                                    const Image& image) {
+  const datasets::OrganisedCloud cloud = CloudFor(search, image);
+  perception::SearchRegion region =
+      perception::SearchRegionFinder(RegionOptions(search)).Find(image, cloud.View());
+  if (region.HasRegion()) return region;
+  throw Error({.kind = Error::Kind::kNoResult,
+               .path = path,
+               .reason = std::string(perception::MessageOf(region.state)),
+               .remedy = "look at --up, --up-angle and --table-distance, or leave the depth out"});
+}
+
+Prediction Predict(const hc_model* model, const std::string& path, const PredictOptions& options) {
+  Prediction prediction{.image = perception::ReadImage(path),
+                        .region = std::nullopt,
+                        .probabilities = {},
+                        .points = {}};
+  if (options.search.IsGiven()) {
+    prediction.region = FindRegion(options.search, path, prediction.image);
+  }
+  experiments::RuntimeScores scores = experiments::ScoreWithRuntime(
+      model, prediction.image, path, prediction.region ? &prediction.region->mask : nullptr);
+  if (prediction.region) {
+    std::vector<perception::SearchStage>& stages = prediction.region->stages;
+    stages.push_back(
+        {.name = "scored", .num_pixels = stages.back().num_pixels, .time_ms = scores.score_ms});
+  }
+  prediction.probabilities = std::move(scores.probabilities);
+  prediction.points = experiments::FindBestPixels(prediction.probabilities,
+                                                  options.top,
+                                                  options.min_probability,
+                                                  options.suppression_radius_px);
+  return prediction;
+}
+
+Image Overlay(const Prediction& prediction) {
+  std::vector<perception::MarkedPoint> marks;
+  marks.reserve(prediction.points.size());
+  for (const hc_point& point : prediction.points) {
+    marks.push_back({.u_px = point.u, .v_px = point.v, .probability = point.probability});
+  }
+  if (!prediction.region) {
+    return perception::DrawGraspPoints(prediction.image, prediction.probabilities, marks);
+  }
+  return perception::DrawGraspPoints(
+      perception::DrawRegion(prediction.image, prediction.region->mask),
+      prediction.probabilities,
+      marks);
+}
+
+// Scores one picture; writes what was found and an overlay when there is a folder, and adds the
+// stages of the search to `stages`.
 Json PredictImage(const hc_model* model,
                   const std::string& path,
                   const PredictOptions& options,
-                  OutputFolder* folder) {
-  const Image image = perception::ReadImage(path);
-  const FloatImage probabilities = experiments::ScoreWithRuntime(model, image, path).probabilities;
-  const std::vector<hc_point> points = experiments::FindBestPixels(
-      probabilities, options.top, options.min_probability, options.suppression_radius_px);
-  Json json = PointsJson(path, image, points);
+                  OutputFolder* folder,
+                  std::string& stages) {
+  const Prediction prediction = Predict(model, path, options);
+  Json json = PointsJson(path, prediction.image, prediction.points);
+  if (prediction.region) {
+    json["search"] = SearchJson(*prediction.region);
+    stages += SearchTable(*prediction.region);
+  }
   if (folder != nullptr) {
     WriteFileAtomically(folder->Claim(OutputName(path, kPointsEnding)),
                         experiments::JsonText(json));
-    perception::WritePng(folder->Claim(OutputName(path, kOverlayEnding)),
-                         Overlay(image, probabilities, points));
+    perception::WritePng(folder->Claim(OutputName(path, kOverlayEnding)), Overlay(prediction));
   }
   return json;
 }
@@ -123,10 +177,11 @@ void PredictImages(const hc_model* model,
   ProgressBar bar(console);
   const Progress progress = bar.Callback();
   Json predictions = Json::array();
+  std::string stages;
   bool found_any = false;
   for (const std::string& input : options.inputs) {
     Report(progress, "scoring", predictions.size(), options.inputs.size());
-    predictions.push_back(PredictImage(model, input, options, folder));
+    predictions.push_back(PredictImage(model, input, options, folder, stages));
     found_any = found_any || !predictions.back()["grasp_points"].empty();
   }
   bar.Clear();
@@ -135,6 +190,7 @@ void PredictImages(const hc_model* model,
     console.Print({{"model", options.model}, {"predictions", predictions}});
   } else {
     PrintPoints(console, predictions);
+    if (!stages.empty()) console.out << '\n' << stages;
   }
   if (!found_any) {
     throw Error(
@@ -181,7 +237,7 @@ void PredictTables(const hc_model* model,
 
 // Options that fit each other and the model.
 void Validate(const PredictOptions& options, hc_kind kind) {
-  if (kind != HC_KIND_LOGISTIC) return;
+  if (kind != HC_KIND_LOGISTIC) return RequireSearchFits(options.search, options.inputs.size());
   RefusePictureOptions(options.picture_options);
   if (options.inputs.size() > 1 && options.out.empty() && !options.json) {
     throw Error({.kind = Error::Kind::kUsage, .reason = "several tables need --out or --json"});
@@ -193,6 +249,7 @@ void RequireInputsStay(const PredictOptions& options, hc_kind kind) {
   if (options.out.empty()) return;
   std::vector<fs::path> inputs(options.inputs.begin(), options.inputs.end());
   inputs.emplace_back(options.model);
+  for (fs::path& file : options.search.Files()) inputs.push_back(std::move(file));
   const auto endings = kind == HC_KIND_GRASP_POINT
                            ? std::vector<const char*>{kPointsEnding, kOverlayEnding}
                            : std::vector<const char*>{kTableEnding};
@@ -235,6 +292,7 @@ void AddPictureOptions(CLI::App& command, PredictOptions& options) {
             TakenBy(&experiments::EvaluationOptions::suppression_radius_px),
             "Grasp points are farther apart than this [px]; 0: no suppression")
       ->group(kPictureGroup);
+  AddSearchOptions(command, options.search);
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ TEST(AllBenchmarks, HaveNamesOfTheirOwn) {
   }
   for (const char* name : {"score_all500_vga",
                            "score_edges54_vga",
+                           "search_space_vga",
                            "load_model",
                            "train_irls_154188x500",
                            "pca_154188x500"}) {

@@ -44,6 +44,21 @@ TEST(ScoreWithRuntime, TakesGrayAndColour) {
             ScoreWithRuntime(model.get(), colour, "").probabilities.values());
 }
 
+TEST(ScoreWithRuntime, ScoresThePixelsOfAMaskAlone) {
+  const testing::ModelOwner model = testing::MakeEdgeModel();
+  const Image picture = testing::MakeBand(20, 40);
+  Image mask(picture.width(), picture.height());
+  mask.At(19, 7) = 255;
+  const FloatImage all = ScoreWithRuntime(model.get(), picture, "").probabilities;
+  const FloatImage some = ScoreWithRuntime(model.get(), picture, "", &mask).probabilities;
+  EXPECT_EQ(some.At(19, 7), all.At(19, 7));
+  EXPECT_EQ(some.At(20, 7), 0.0F);
+  const Image small(3, 3);
+  EXPECT_THROWS_MESSAGE(ScoreWithRuntime(model.get(), picture, "step.png", &small),
+                        std::logic_error,
+                        HasSubstr("step.png"));
+}
+
 TEST(ScoreWithRuntime, NamesTheImageItCannotScore) {
   const testing::ModelOwner model = testing::MakeEdgeModel();
   EXPECT_THROWS_MESSAGE(ScoreWithRuntime(model.get(), Image(), "empty.png"),

@@ -29,6 +29,7 @@ TEST(ScoreRegion, FormsTheSumOfTheOraclesFeatures) {
   planes.Convert(picture.raw, kernels);
   const std::vector<float> weights = RandomWeights(18, 1.0, 2);  // [row][column][filter]
   std::vector<float> packed;
+  packed.reserve(weights.size());
   for (std::size_t filter = 0; filter < 2; ++filter) {
     for (std::size_t column = 0; column < 3; ++column) {
       for (std::size_t row = 0; row < 3; ++row) {

@@ -66,6 +66,7 @@ PixelPoints Points(const std::vector<Eigen::Vector3f>& list) {
 
 TEST(RemoveOutliers, LooksAtEachAxis) {
   std::vector<Eigen::Vector3f> list;
+  list.reserve(12);
   for (int i = 0; i < 9; ++i) list.push_back(Eigen::Vector3f::Constant(static_cast<float>(i)));
   list.emplace_back(100, 4, 4);
   list.emplace_back(4, -100, 4);
@@ -77,6 +78,7 @@ TEST(RemoveOutliers, LooksAtEachAxis) {
 
 TEST(RemoveOutliers, KeepsWhatLiesOnTheThreshold) {
   std::vector<Eigen::Vector3f> list;
+  list.reserve(5);
   for (const float x : {1.0F, 2.0F, 3.0F, 4.0F, 5.0F}) list.emplace_back(x, 0, 0);
   PixelPoints points = Points(list);
   RemoveOutliers(points, {.step = 0.0F});

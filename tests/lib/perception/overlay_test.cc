@@ -118,5 +118,15 @@ TEST(DrawLabelMask, RefusesAMaskOfAnotherSize) {
       DrawLabelMask(Image(4, 3), Image(3, 3)), std::logic_error, ::testing::HasSubstr("3, 3, 4"));
 }
 
+TEST(DrawRegion, TintsTheRegionAlone) {
+  Image mask(2, 1);
+  mask.At(1, 0) = 255;
+  const Image drawn = DrawRegion(Image(2, 1, 1, 100), mask);
+  EXPECT_EQ(Pixel(drawn, 0, 0), (std::vector{100, 100, 100}));
+  EXPECT_EQ(Pixel(drawn, 1, 0), (std::vector{178, 90, 50}));
+  EXPECT_THROWS_MESSAGE(
+      DrawRegion(Image(4, 3), Image(3, 3)), std::logic_error, ::testing::HasSubstr("3, 3, 4"));
+}
+
 }  // namespace
 }  // namespace handcraft::perception

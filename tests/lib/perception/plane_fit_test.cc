@@ -33,6 +33,7 @@ std::vector<Eigen::Vector3f> NoisyPlane(const Plane& plane, float noise_m, Rng& 
   const Eigen::Vector3f first = plane.normal.unitOrthogonal();
   const Eigen::Vector3f second = plane.normal.cross(first);
   std::vector<Eigen::Vector3f> points;
+  points.reserve(200);
   for (int i = 0; i < 200; ++i) {
     points.emplace_back((plane.offset_m + noise_m * static_cast<float>(rng.Normal())) *
                             plane.normal +

@@ -27,6 +27,7 @@ SearchRegion Find(const Image& image, const Cloud& cloud, const SearchRegionOpti
 
 std::vector<std::string> NamesOf(const SearchRegion& region) {
   std::vector<std::string> names;
+  names.reserve(region.stages.size());
   for (const SearchStage& stage : region.stages) names.emplace_back(stage.name);
   return names;
 }

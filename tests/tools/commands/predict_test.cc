@@ -8,8 +8,10 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "datasets/formats/organised_cloud.h"
 #include "lib/core/file.h"
 #include "lib/perception/image_io.h"
+#include "tests/lib/perception/table_scene.h"
 #include "tests/tools/support/generated_data.h"
 #include "tests/tools/support/run.h"
 
@@ -157,6 +159,80 @@ TEST_F(PredictTest, RefusesWrongOptions) {
   EXPECT_EQ(Predict({"grasp", "set/p4.png"}, "--min-probability 1").code, 2);
   EXPECT_EQ(Predict({"grasp", "set/p4.png"}, "--top 0").code, 2);
   EXPECT_EQ(Predict({"grasp", "set/p4.png"}, "--suppression-radius -1").code, 2);
+}
+
+// A picture of a bright block on a dark table, and their cloud.
+class PredictRegionTest : public PredictTest {
+ protected:
+  void SetUp() override {
+    PredictTest::SetUp();
+    perception::WritePng(folder_ / "block.png", perception::testing::PictureOfBlock(3));
+    WriteCloud(perception::testing::TableWithBlock());
+  }
+
+  void WriteCloud(const perception::testing::Cloud& cloud) const {
+    datasets::WritePcd(folder_ / "block.pcd",
+                       {.width = cloud.width, .height = cloud.height, .points = cloud.points});
+  }
+
+  [[nodiscard]] Outcome PredictBlock(const std::string& options) const {
+    return Predict({"grasp", "block.png"},
+                   "--min-probability 0 --cloud " + (folder_ / "block.pcd").string() + options);
+  }
+};
+
+TEST_F(PredictRegionTest, FindsGraspPointsOnTheObjectsEdgesAlone) {
+  const Outcome outcome = PredictBlock(" --top 1000 --suppression-radius 0 --json" + OutOption());
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out)["predictions"][0];
+  EXPECT_EQ(json["search"]["found"], true);
+  EXPECT_EQ(json["search"]["stages"][2]["num_pixels"], 400);
+  EXPECT_EQ(json["search"]["stages"].back()["name"], "scored");
+  ASSERT_EQ(json["grasp_points"].size(), json["search"]["stages"].back()["num_pixels"]);
+  for (const auto& point : json["grasp_points"]) {
+    EXPECT_NEAR(point["u_px"].get<int>(), 39.5, 12.0);
+    EXPECT_NEAR(point["v_px"].get<int>(), 29.5, 12.0);
+  }
+  EXPECT_EQ(perception::ReadImage(folder_ / "out/block.grasp_points.png").width(), 80);
+}
+
+TEST_F(PredictRegionTest, PrintsTheStages) {
+  const Outcome outcome = PredictBlock("");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("rank"),
+                    HasSubstr("\n\nstage             pixels  time [ms]\npicture             4800"),
+                    HasSubstr("off the table        400"),
+                    HasSubstr("scored")));
+}
+
+TEST_F(PredictRegionTest, SaysThatNothingStandsOnTheTable) {
+  WriteCloud(perception::testing::Table(80, 60));
+  const Outcome outcome = PredictBlock(OutOption());
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err,
+              AllOf(HasSubstr("block.png"), HasSubstr("Every measured point lies on the support")));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
+TEST_F(PredictRegionTest, RefusesOptionsThatDoNotFit) {
+  EXPECT_EQ(PredictBlock(" --camera c.toml").code, 2);
+  EXPECT_EQ(PredictBlock(" --up 0 0").code, 2);
+  EXPECT_EQ(PredictBlock(" --up-angle 91").code, 2);
+  EXPECT_EQ(PredictBlock(" --table-distance 0").code, 2);
+  EXPECT_EQ(PredictBlock(" --right r.png --camera c.toml").code, 2);
+}
+
+TEST_F(PredictRegionTest, NeverOverwritesTheCloud) {
+  const auto cloud = ReadFile(folder_ / "block.pcd");
+  std::filesystem::create_directory(folder_ / "out");
+  std::filesystem::rename(folder_ / "block.pcd", folder_ / "out/block.grasp_points.json");
+  const Outcome outcome =
+      Predict({"grasp", "block.png"},
+              "--cloud " + (folder_ / "out/block.grasp_points.json").string() + OutOption());
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("would overwrite the input"));
+  EXPECT_EQ(ReadFile(folder_ / "out/block.grasp_points.json"), cloud);
 }
 
 TEST_F(PredictTest, RefusesPictureOptionsForATable) {
