@@ -33,6 +33,7 @@ build | libhwy-dev         | vector instructions for AVX2, AVX-512 and NEON
 test  | libgtest-dev       | test framework
 test  | libgmock-dev       | matchers for the tests
 test  | libbenchmark-dev   | micro-benchmarks
+test  | gnuplot-nox        | figures of studies as SVG and PDF
 test  | git                | lists the files that are checked
 test  | python3            | reads model files independently of the C++ code
 test  | python3-numpy      | the same

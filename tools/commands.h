@@ -35,5 +35,9 @@ void AddCheckModel(CLI::App& parent, const Console& console);
 void AddStudy(CLI::App& parent, const Console& console);
 void AddStudyFeatureAnalysis(CLI::App& parent, const Console& console);
 void AddBench(CLI::App& parent, const Console& console);
+void AddStudy(CLI::App& parent, const Console& console);
+void AddStudyCompare(CLI::App& parent, const Console& console);
+void AddStudyList(CLI::App& parent, const Console& console);
+void AddStudyRun(CLI::App& parent, const Console& console);
 
 }  // namespace handcraft::tools

@@ -89,7 +89,7 @@ std::string FullName(const CLI::App& command) {
 std::string DescribeParseError(const CLI::App& command, const CLI::ParseError& error) {
   const std::vector<const CLI::App*> choices =
       command.get_subcommands([](const CLI::App* choice) { return !choice->get_name().empty(); });
-  if (choices.empty()) return error.what();
+  if (choices.empty() || command.get_require_subcommand_min() == 0) return error.what();
   std::string names;
   for (const CLI::App* choice : choices) names += (names.empty() ? "" : ", ") + choice->get_name();
   const std::vector<std::string> rest = command.remaining();

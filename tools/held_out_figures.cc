@@ -6,15 +6,15 @@
 #include <cmath>
 #include <string>
 
+#include "experiments/evaluation/loaded_model.h"
 #include "lib/core/fields.h"
-#include "tools/loaded_model.h"
 
 namespace handcraft::tools {
 
 experiments::GraspPointEvaluation EvaluateHeldOut(std::span<const std::uint8_t> model_bytes,
                                                   const datasets::LabelledImageSet& held_out,
                                                   const experiments::EvaluationOptions& options) {
-  const LoadedModel model = LoadModel(model_bytes);
+  const experiments::LoadedModel model = experiments::LoadModel(model_bytes);
   return experiments::EvaluateGraspPoints(model.get(), held_out, options);
 }
 
@@ -34,7 +34,7 @@ std::map<std::string, std::string> MetadataOf(const experiments::GraspPointEvalu
     add(name + "_low", estimate.low);
     add(name + "_high", estimate.high);
   };
-  add("log_loss", all.log_loss);
+  add("log_loss", all.log_loss.value);
   add_estimate("auc", all.auc);
   add_estimate("accuracy", all.accuracy);
   add_estimate("best_pixel_accuracy", all.best_pixel_accuracy);

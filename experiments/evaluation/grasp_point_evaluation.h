@@ -11,6 +11,7 @@
 
 #include "datasets/formats/labelled_image_set.h"
 #include "experiments/metrics/binary_metrics.h"
+#include "experiments/metrics/precision_recall.h"
 #include "lib/core/progress.h"
 #include "lib/runtime/handcraft_runtime.h"
 
@@ -47,18 +48,21 @@ struct ImageScore {
 
 /// Figures over a group of images (a class, or all).
 struct GroupFigures {
-  std::string name;
+  std::string name = {};
   std::size_t num_images = 0;
   std::size_t num_images_without_best = 0;  ///< no pixel above best_min_probability
   std::size_t best_total = 0;               ///< best pixels on good or bad ground
   std::size_t best_good = 0;
-  std::size_t best_dont_care = 0;  ///< shown, not counted
-  Estimate best_pixel_accuracy;    ///< the dissertation's measure; bootstrap over images
-  ConfusionMatrix confusion;
-  Estimate accuracy;  ///< bootstrap over images
-  Estimate auc;       ///< bootstrap over images
-  double log_loss = 0.0;
-  double brier = 0.0;
+  std::size_t best_dont_care = 0;     ///< shown, not counted
+  Estimate best_pixel_accuracy = {};  ///< the dissertation's measure; bootstrap over images
+  ConfusionMatrix confusion = {};
+  Estimate accuracy = {};                 ///< bootstrap over images
+  Estimate auc = {};                      ///< bootstrap over images
+  ConfusionMatrix strict_confusion = {};  ///< at best_min_probability
+  Estimate strict_accuracy = {};          ///< bootstrap over images
+  Estimate average_precision = {};        ///< bootstrap over images
+  Estimate log_loss = {};                 ///< bootstrap over images
+  Estimate brier = {};                    ///< bootstrap over images
 };
 
 struct GraspPointEvaluation {
@@ -68,6 +72,7 @@ struct GraspPointEvaluation {
   GroupFigures all;
   std::vector<GroupFigures> classes;  ///< by name
   std::vector<RocPoint> roc;
+  std::vector<PrecisionRecallPoint> precision_recall;
 };
 
 /// Scores every image of the set with the runtime and forms the figures. Figures that need good and

@@ -5,12 +5,12 @@
 
 #include <map>
 
-#include "experiments/metrics/grouped_auc.h"
+#include "experiments/metrics/grouped_ranking.h"
 
 namespace handcraft::experiments {
 namespace {
 
-constexpr std::size_t kMaxRocPoints = 201;
+constexpr std::size_t kMaxCurvePoints = 201;
 
 // Right out of all, for one image or many.
 struct Share {
@@ -46,35 +46,82 @@ Estimate EstimateShare(const std::vector<Share>& shares, const EvaluationOptions
   return estimate;
 }
 
-// Accuracy on the drawn pixels, AUC, log-loss and Brier score.
-void AddPixelFigures(std::span<const ImageScore* const> images,
-                     const EvaluationOptions& options,
-                     GroupFigures& figures) {
+// A mean over the drawn pixels of all images, from its sum over those of each.
+Estimate EstimateMean(const std::vector<double>& sums,
+                      std::span<const ImageScore* const> images,
+                      const EvaluationOptions& options) {
+  const auto mean_of_groups = [&](std::span<const std::size_t> groups) {
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const std::size_t group : groups) {
+      sum += sums[group];
+      count += images[group]->labels.size();
+    }
+    return sum / static_cast<double>(count);  // NaN without pixels
+  };
+  return BootstrapOverGroups(images.size(),
+                             mean_of_groups,
+                             options.bootstrap_resamples,
+                             options.seed,
+                             options.num_threads);
+}
+
+// Confusion matrix of the drawn pixels and the share of right calls.
+Estimate AddConfusion(std::span<const ImageScore* const> images,
+                      double threshold,
+                      const EvaluationOptions& options,
+                      ConfusionMatrix& confusion) {
+  std::vector<Share> shares;
+  for (const ImageScore* image : images) {
+    const ConfusionMatrix matrix = CountConfusion(image->probabilities, image->labels, threshold);
+    confusion += matrix;
+    shares.push_back({matrix.true_positive + matrix.true_negative, matrix.Total()});
+  }
+  return EstimateShare(shares, options);
+}
+
+// What the order of the scores is worth.
+void AddRankingFigures(std::span<const ImageScore* const> images,
+                       const EvaluationOptions& options,
+                       GroupFigures& figures) {
   std::vector<double> probabilities;
   std::vector<std::uint8_t> labels;
   std::vector<std::size_t> groups;
-  std::vector<Share> shares;
   for (std::size_t k = 0; k < images.size(); ++k) {
     const ImageScore& image = *images[k];
-    const ConfusionMatrix matrix =
-        CountConfusion(image.probabilities, image.labels, options.threshold);
-    figures.confusion += matrix;
-    shares.push_back({matrix.true_positive + matrix.true_negative, matrix.Total()});
     probabilities.insert(
         probabilities.end(), image.probabilities.begin(), image.probabilities.end());
     labels.insert(labels.end(), image.labels.begin(), image.labels.end());
     groups.insert(groups.end(), image.labels.size(), k);
   }
-  figures.accuracy = EstimateShare(shares, options);
-  const GroupedAuc auc(probabilities, labels, groups, images.size());
-  figures.auc = BootstrapOverGroups(
-      images.size(),
-      [&](std::span<const std::size_t> drawn) { return auc.OfResample(drawn); },
-      options.bootstrap_resamples,
-      options.seed,
-      options.num_threads);
-  figures.log_loss = LogLoss(probabilities, labels);
-  figures.brier = BrierScore(probabilities, labels);
+  const GroupedRanking ranking(probabilities, labels, groups, images.size());
+  const auto estimate = [&](double (GroupedRanking::*figure)(std::span<const std::size_t>) const) {
+    return BootstrapOverGroups(
+        images.size(),
+        [&](std::span<const std::size_t> drawn) { return (ranking.*figure)(drawn); },
+        options.bootstrap_resamples,
+        options.seed,
+        options.num_threads);
+  };
+  figures.auc = estimate(&GroupedRanking::Auc);
+  figures.average_precision = estimate(&GroupedRanking::AveragePrecision);
+}
+
+// How far the probabilities are from the truth.
+void AddProbabilityFigures(std::span<const ImageScore* const> images,
+                           const EvaluationOptions& options,
+                           GroupFigures& figures) {
+  std::vector<double> log_losses;
+  std::vector<double> squared_errors;
+  for (const ImageScore* image : images) {
+    const auto count = static_cast<double>(image->labels.size());
+    const bool is_empty = image->labels.empty();
+    log_losses.push_back(is_empty ? 0.0 : count * LogLoss(image->probabilities, image->labels));
+    squared_errors.push_back(is_empty ? 0.0
+                                      : count * BrierScore(image->probabilities, image->labels));
+  }
+  figures.log_loss = EstimateMean(log_losses, images, options);
+  figures.brier = EstimateMean(squared_errors, images, options);
 }
 
 }  // namespace
@@ -109,7 +156,11 @@ GroupFigures ComputeGroupFigures(const std::string& name,
     best_shares.push_back({counts.good, counts.good + counts.bad});
   }
   figures.best_pixel_accuracy = EstimateShare(best_shares, options);
-  AddPixelFigures(images, options, figures);
+  figures.accuracy = AddConfusion(images, options.threshold, options, figures.confusion);
+  figures.strict_accuracy =
+      AddConfusion(images, options.best_min_probability, options, figures.strict_confusion);
+  AddRankingFigures(images, options, figures);
+  AddProbabilityFigures(images, options, figures);
   return figures;
 }
 
@@ -136,7 +187,9 @@ void FormFigures(const datasets::LabelledImageSet& set, GraspPointEvaluation& ev
     evaluation.classes.push_back(ComputeGroupFigures(name, images, evaluation.options));
   }
   const PooledPixels pooled = PoolPixels(evaluation.images);
-  evaluation.roc = RocCurve(pooled.probabilities, pooled.labels, kMaxRocPoints);
+  evaluation.roc = RocCurve(pooled.probabilities, pooled.labels, kMaxCurvePoints);
+  evaluation.precision_recall =
+      PrecisionRecallCurve(pooled.probabilities, pooled.labels, kMaxCurvePoints);
 }
 
 }  // namespace handcraft::experiments

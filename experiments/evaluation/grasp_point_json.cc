@@ -41,9 +41,12 @@ void AddFigures(const GroupFigures& figures, Json& json) {
   json["num_pixels"] = figures.confusion.Total();
   AddEstimate("accuracy", figures.accuracy, json);
   AddEstimate("auc", figures.auc, json);
-  json["log_loss"] = figures.log_loss;
-  json["brier"] = figures.brier;
+  AddEstimate("average_precision", figures.average_precision, json);
+  AddEstimate("log_loss", figures.log_loss, json);
+  AddEstimate("brier", figures.brier, json);
   json["confusion"] = ConfusionJson(figures.confusion);
+  AddEstimate("strict_accuracy", figures.strict_accuracy, json);
+  json["strict_confusion"] = ConfusionJson(figures.strict_confusion);
 }
 
 Json ImageJson(const ImageScore& image, const datasets::LabelledImage& item) {
@@ -60,6 +63,15 @@ Json ImageJson(const ImageScore& image, const datasets::LabelledImage& item) {
                                    {"v_px", pixel.v_px},
                                    {"probability", ShortestDouble(pixel.probability)},
                                    {"label", NameOfMaskValue(pixel.mask_value)}});
+  }
+  return json;
+}
+
+// [[recall, precision], …]
+Json PrecisionRecallJson(const std::vector<PrecisionRecallPoint>& curve) {
+  Json json = Json::array();
+  for (const PrecisionRecallPoint& point : curve) {
+    json.push_back({point.recall, point.precision});
   }
   return json;
 }
@@ -92,6 +104,7 @@ std::string ToJson(const GraspPointEvaluation& evaluation, const datasets::Label
     json["classes"].push_back(std::move(entry));
   }
   json["roc"] = RocJson(evaluation.roc);
+  json["precision_recall"] = PrecisionRecallJson(evaluation.precision_recall);
   json["reliability"] = ReliabilityJson(evaluation.images);
   json["images"] = Json::array();
   for (const ImageScore& image : evaluation.images) {

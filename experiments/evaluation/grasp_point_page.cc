@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "experiments/evaluation/confusion_table.h"
 #include "experiments/evaluation/grasp_point_plots.h"
 #include "experiments/evaluation/grasp_point_templates.h"
 #include "experiments/evaluation/html_text.h"
@@ -64,7 +65,7 @@ std::string TilesText(const GraspPointEvaluation& evaluation) {
               DecimalText(all.auc.value, 3),
               DecimalIntervalText(all.auc, 3)) +
          Tile("Log-loss",
-              DecimalText(all.log_loss, 3),
+              DecimalText(all.log_loss.value, 3),
               fmt::format("guessing one half gives {:.3f}", 0.6931471805599453)) +
          "</div>\n";
 }
@@ -84,8 +85,8 @@ std::string FiguresRow(const GroupFigures& figures, bool is_total) {
                      fmt::arg("accuracy_range", PercentIntervalText(figures.accuracy)),
                      fmt::arg("auc", DecimalText(figures.auc.value, 3)),
                      fmt::arg("auc_range", DecimalIntervalText(figures.auc, 3)),
-                     fmt::arg("log_loss", DecimalText(figures.log_loss, 3)),
-                     fmt::arg("brier", DecimalText(figures.brier, 3)));
+                     fmt::arg("log_loss", DecimalText(figures.log_loss.value, 3)),
+                     fmt::arg("brier", DecimalText(figures.brier.value, 3)));
 }
 
 std::string FiguresText(const GraspPointEvaluation& evaluation) {
@@ -100,32 +101,6 @@ std::string FiguresText(const GraspPointEvaluation& evaluation) {
   return text;
 }
 
-// A cell of the confusion matrix, tinted by its share of the row.
-std::string ConfusionCell(std::size_t count, std::size_t row_total, bool is_right) {
-  const double share =
-      row_total == 0 ? 0.0 : static_cast<double>(count) / static_cast<double>(row_total);
-  return fmt::format(
-      "<td style=\"background: rgba({}, {:.2f})\"><span class=\"count\">{}</span>"
-      "<span class=\"share\">{}</span></td>",
-      is_right ? "20, 140, 130" : "205, 95, 40",
-      0.08 + 0.5 * share,
-      count,
-      row_total == 0 ? "–" : PercentText(share));
-}
-
-std::string ConfusionText(const GraspPointEvaluation& evaluation) {
-  const ConfusionMatrix& matrix = evaluation.all.confusion;
-  const std::size_t num_good = matrix.true_positive + matrix.false_negative;
-  const std::size_t num_bad = matrix.true_negative + matrix.false_positive;
-  return fmt::format(
-      fmt::runtime(kConfusionTemplate),
-      fmt::arg("threshold", fmt::format("{:g}", evaluation.options.threshold)),
-      fmt::arg("true_positive", ConfusionCell(matrix.true_positive, num_good, true)),
-      fmt::arg("false_negative", ConfusionCell(matrix.false_negative, num_good, false)),
-      fmt::arg("false_positive", ConfusionCell(matrix.false_positive, num_bad, false)),
-      fmt::arg("true_negative", ConfusionCell(matrix.true_negative, num_bad, true)));
-}
-
 std::string PlotsText(const GraspPointEvaluation& evaluation) {
   const PooledPixels pooled = PoolPixels(evaluation.images);
   const auto bins = [&](std::size_t count) {
@@ -134,11 +109,16 @@ std::string PlotsText(const GraspPointEvaluation& evaluation) {
   return fmt::format(
       fmt::runtime(kPlotsTemplate),
       fmt::arg("pixels", pooled.labels.size()),
-      fmt::arg("confusion", ConfusionText(evaluation)),
+      fmt::arg("confusion", ConfusionTable(evaluation.all.confusion, evaluation.options.threshold)),
       fmt::arg("roc", PlotRoc(evaluation.roc).ToInlineText()),
       fmt::arg("auc", DecimalText(evaluation.all.auc.value, 3)),
+      fmt::arg("precision_recall", PlotPrecisionRecall(evaluation.precision_recall).ToInlineText()),
+      fmt::arg("average_precision", DecimalText(evaluation.all.average_precision.value, 3)),
+      fmt::arg(
+          "strict_confusion",
+          ConfusionTable(evaluation.all.strict_confusion, evaluation.options.best_min_probability)),
       fmt::arg("reliability", PlotReliability(bins(kNumReliabilityBins)).ToInlineText()),
-      fmt::arg("brier", DecimalText(evaluation.all.brier, 3)),
+      fmt::arg("brier", DecimalText(evaluation.all.brier.value, 3)),
       fmt::arg("histogram", PlotScoreHistogram(bins(kNumHistogramBins)).ToInlineText()));
 }
 

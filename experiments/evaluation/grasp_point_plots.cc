@@ -30,6 +30,17 @@ SvgFigure PlotRoc(std::span<const RocPoint> curve) {
   return figure;
 }
 
+SvgFigure PlotPrecisionRecall(std::span<const PrecisionRecallPoint> curve) {
+  SvgFigure figure("Precision-recall curve",
+                   {.label = "good pixels found (recall)"},
+                   {.label = "called good that are good (precision)"});
+  std::vector<PlotPoint> points;
+  for (const PrecisionRecallPoint& point : curve) points.push_back({point.recall, point.precision});
+  figure.AddArea(points, Tone::kFirst);
+  figure.AddLine(points, Tone::kFirst);
+  return figure;
+}
+
 SvgFigure PlotReliability(std::span<const ProbabilityBin> bins) {
   SvgFigure figure("Reliability diagram",
                    {.label = "predicted probability"},

@@ -16,6 +16,9 @@ namespace handcraft::experiments {
 /// frame.
 [[nodiscard]] SvgFigure PlotRoc(std::span<const RocPoint> curve);
 
+/// Precision against recall. An empty curve gives the empty frame.
+[[nodiscard]] SvgFigure PlotPrecisionRecall(std::span<const PrecisionRecallPoint> curve);
+
 /// Share of good pixels against mean probability, one marker a bin that has any.
 [[nodiscard]] SvgFigure PlotReliability(std::span<const ProbabilityBin> bins);
 

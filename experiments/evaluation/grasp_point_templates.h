@@ -48,6 +48,10 @@ inline constexpr std::string_view kPlotsTemplate = R"html(<h2>Pixel by pixel</h2
 {confusion}<figcaption>Counts, and their share of the row.</figcaption></figure>
 <figure class="card"><h3>ROC curve, area {auc}</h3>
 {roc}<figcaption>The dashed line is guessing.</figcaption></figure>
+<figure class="card"><h3>Precision and recall, average precision {average_precision}</h3>
+{precision_recall}<figcaption>Guessing gives the share of good pixels, one half here.</figcaption></figure>
+<figure class="card"><h3>Confusion matrix, strict</h3>
+{strict_confusion}<figcaption>At the probability that best pixels must exceed.</figcaption></figure>
 <figure class="card"><h3>Reliability, Brier score {brier}</h3>
 {reliability}<figcaption>On the dashed line a probability means what it says, were good and bad pixels equally common.</figcaption></figure>
 <figure class="card"><h3>Probabilities of good and bad pixels</h3>

@@ -7,7 +7,7 @@
 
 #include "experiments/evaluation/json_text.h"
 #include "experiments/evaluation/table_model.h"
-#include "experiments/metrics/grouped_auc.h"
+#include "experiments/metrics/grouped_ranking.h"
 #include "lib/core/check.h"
 #include "lib/core/error.h"
 #include "lib/core/option_rules.h"
@@ -41,10 +41,10 @@ Estimate EstimateAuc(const std::vector<double>& probabilities,
                      const TableEvaluationOptions& options) {
   std::vector<std::size_t> rows(labels.size());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
-  const GroupedAuc auc(probabilities, labels, rows, rows.size());
+  const GroupedRanking ranking(probabilities, labels, rows, rows.size());
   return BootstrapOverGroups(
       rows.size(),
-      [&auc](std::span<const std::size_t> drawn) { return auc.OfResample(drawn); },
+      [&ranking](std::span<const std::size_t> drawn) { return ranking.Auc(drawn); },
       options.bootstrap_resamples,
       options.seed,
       options.num_threads);

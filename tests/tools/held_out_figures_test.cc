@@ -7,9 +7,9 @@
 
 #include <gmock/gmock.h>
 
+#include "experiments/evaluation/loaded_model.h"
 #include "lib/core/file.h"
 #include "tests/tools/support/generated_data.h"
-#include "tools/loaded_model.h"
 
 namespace handcraft::tools {
 namespace {
@@ -23,7 +23,8 @@ class EvaluateHeldOutTest : public testing::ImageSetTest {};
 TEST_F(EvaluateHeldOutTest, IsTheEvaluationOfTheFile) {
   testing::TrainGraspPoints(set_, folder_ / "m");
   const datasets::LabelledImageSet test = datasets::ReadLabelledImageSet(set_).Only("test");
-  const auto expected = experiments::EvaluateGraspPoints(LoadModel(folder_ / "m").get(), test, {});
+  const auto expected =
+      experiments::EvaluateGraspPoints(experiments::LoadModel(folder_ / "m").get(), test, {});
   const auto evaluation = EvaluateHeldOut(ReadFile(folder_ / "m"), test, {});
   EXPECT_EQ(ToJson(evaluation, test), ToJson(expected, test));
 }
@@ -37,7 +38,7 @@ TEST(MetadataOfEvaluation, LeavesOutWhatIsNotANumber) {
   evaluation.all.accuracy = {.value = 0.75, .low = 0.5, .high = 1.0};
   evaluation.all.auc = {.value = kNan, .low = kNan, .high = kNan};
   evaluation.all.best_pixel_accuracy = {.value = 1.0, .low = kNan, .high = kNan};
-  evaluation.all.log_loss = 0.25;
+  evaluation.all.log_loss.value = 0.25;
   EXPECT_THAT(MetadataOf(evaluation, "test"),
               UnorderedElementsAre(Pair("held_out.split", "test"),
                                    Pair("held_out.data_fingerprint", "abc"),

@@ -7,11 +7,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "experiments/evaluation/loaded_model.h"
 #include "lib/core/file.h"
 #include "lib/core/sha256.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
-#include "tools/loaded_model.h"
 
 namespace handcraft::tools {
 namespace {
@@ -22,8 +22,8 @@ struct CheckModelOptions {
 };
 
 void RunCheckModel(const CheckModelOptions& options, const Console& console) {
-  const LoadedModel model = LoadModel(options.model);
-  const std::string_view kind = KindName(hc_model_kind(model.get()));
+  const experiments::LoadedModel model = experiments::LoadModel(options.model);
+  const std::string_view kind = experiments::KindName(hc_model_kind(model.get()));
   const std::string sha256 = Sha256Hex(ReadFile(options.model));
   if (options.json) {
     console.Print({{"model", options.model}, {"ok", true}, {"kind", kind}, {"sha256", sha256}});

@@ -12,12 +12,12 @@
 
 #include "datasets/formats/labelled_image_set.h"
 #include "experiments/evaluation/grasp_point_evaluation.h"
+#include "experiments/evaluation/loaded_model.h"
 #include "experiments/evaluation/table_evaluation.h"
 #include "experiments/evaluation/table_model.h"
 #include "lib/core/error.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
-#include "tools/loaded_model.h"
 #include "tools/number_option.h"
 #include "tools/progress_bar.h"
 #include "tools/text_table.h"
@@ -67,6 +67,16 @@ void AddEstimateRow(const std::string& name,
   table.AddRow({name, Percent(estimate.value), IntervalText(estimate)});
 }
 
+void AddNumberRow(const std::string& name,
+                  const experiments::Estimate& estimate,
+                  TextTable& table) {
+  table.AddRow({name,
+                fmt::format("{:.4f}", estimate.value),
+                std::isnan(estimate.low)
+                    ? "–"
+                    : fmt::format("{:.4f} to {:.4f}", estimate.low, estimate.high)});
+}
+
 // Rows: the truth; columns: what the model says at the threshold.
 std::string ConfusionText(const experiments::ConfusionMatrix& matrix,
                           const std::string& negative,
@@ -109,8 +119,12 @@ void PrintGraspPoints(const Console& console,
                              options.evaluation.best_min_probability),
                  all.best_pixel_accuracy,
                  table);
-  table.AddRow({"log-loss", fmt::format("{:.4f}", all.log_loss), ""});
-  table.AddRow({"Brier score", fmt::format("{:.4f}", all.brier), ""});
+  AddEstimateRow(fmt::format("accuracy at {}", options.evaluation.best_min_probability),
+                 all.strict_accuracy,
+                 table);
+  AddEstimateRow("average precision", all.average_precision, table);
+  AddNumberRow("log-loss", all.log_loss, table);
+  AddNumberRow("Brier score", all.brier, table);
   console.out << table.ToText()
               << fmt::format(
                      "\nBest pixels: {} good of {} on good or bad ground, {} on don't-care "
@@ -200,7 +214,7 @@ void RunEvaluate(const EvaluateOptions& options, const Console& console) {
                  .path = options.html,
                  .reason = "--json and --html name the same file"});
   }
-  const LoadedModel model = LoadModel(options.model);
+  const experiments::LoadedModel model = experiments::LoadModel(options.model);
   const auto evaluate =
       hc_model_kind(model.get()) == HC_KIND_GRASP_POINT ? EvaluateGraspPoints : EvaluateTable;
   evaluate(model.get(), options, console);

@@ -15,6 +15,7 @@
 #include "datasets/formats/csv_records.h"
 #include "experiments/evaluation/grasp_point_evaluation.h"
 #include "experiments/evaluation/json_text.h"
+#include "experiments/evaluation/loaded_model.h"
 #include "experiments/evaluation/runtime_scoring.h"
 #include "experiments/evaluation/table_model.h"
 #include "lib/core/error.h"
@@ -24,7 +25,6 @@
 #include "lib/perception/overlay.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
-#include "tools/loaded_model.h"
 #include "tools/number_option.h"
 #include "tools/output_folder.h"
 #include "tools/progress_bar.h"
@@ -261,7 +261,7 @@ void RequireInputsStay(const PredictOptions& options, hc_kind kind) {
 }
 
 void RunPredict(const PredictOptions& options, const Console& console) {
-  const LoadedModel model = LoadModel(options.model);
+  const experiments::LoadedModel model = experiments::LoadModel(options.model);
   const hc_kind kind = hc_model_kind(model.get());
   Validate(options, kind);
   RequireInputsStay(options, kind);

@@ -8,9 +8,9 @@ namespace handcraft::tools {
 void AddStudy(CLI::App& parent, const Console& console) {
   CLI::App* study = parent.add_subcommand("study", "Ask your data a question and get a report");
   study->require_subcommand(1);
-  CLI::App* run = study->add_subcommand("run", "Run a study by its name");
-  run->require_subcommand(1);
-  AddStudyFeatureAnalysis(*run, console);
+  AddStudyRun(*study, console);
+  AddStudyCompare(*study, console);
+  AddStudyList(*study, console);
 }
 
 }  // namespace handcraft::tools

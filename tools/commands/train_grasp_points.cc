@@ -153,7 +153,7 @@ nlohmann::ordered_json HeldOutJson(const Training& training) {
           {"auc_low", all.auc.low},
           {"auc_high", all.auc.high},
           {"accuracy", all.accuracy.value},
-          {"log_loss", all.log_loss},
+          {"log_loss", all.log_loss.value},
           {"confusion_percent", experiments::PercentOf(all.confusion)},
           {"confusion_percent_at_dissertation_ratio",
            experiments::PercentAtBadShare(all.confusion, kDissertationBadShare)}};

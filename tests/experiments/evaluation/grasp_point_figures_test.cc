@@ -64,8 +64,16 @@ TEST(FormFigures, CountsByHand) {
   EXPECT_DOUBLE_EQ(all.accuracy.value, 4.0 / 7.0);
   // Good .9 .7 .4 against bad .8 .6 .2 .1: 4 + 3 + 2 of 12 pairs are won.
   EXPECT_DOUBLE_EQ(all.auc.value, 9.0 / 12.0);
-  EXPECT_NEAR(all.brier, (0.01 + 0.09 + 0.36 + 0.36 + 0.04 + 0.01 + 0.64) / 7.0, 1e-7);
+  EXPECT_NEAR(all.brier.value, (0.01 + 0.09 + 0.36 + 0.36 + 0.04 + 0.01 + 0.64) / 7.0, 1e-7);
+  EXPECT_LT(all.brier.low, all.brier.value);
+  EXPECT_GT(all.log_loss.high, all.log_loss.value);
+  // Good at places 1, 3 and 5 of seven.
+  EXPECT_NEAR(all.average_precision.value, (1.0 + 2.0 / 3.0 + 3.0 / 5.0) / 3.0, 1e-12);
+  // Above 0.9 there is the pixel at 0.9F, which is a little less: none.
+  EXPECT_EQ(all.strict_confusion.true_positive + all.strict_confusion.false_positive, 0U);
+  EXPECT_DOUBLE_EQ(all.strict_accuracy.value, 4.0 / 7.0);
   EXPECT_EQ(hand.evaluation.roc.size(), 8U);
+  EXPECT_EQ(hand.evaluation.precision_recall.size(), 7U);
 }
 
 TEST(FormFigures, ListsClassesByName) {
@@ -147,7 +155,7 @@ TEST(ComputeGroupFigures, IsUndefinedWithoutImages) {
   EXPECT_EQ(figures.num_images, 0U);
   EXPECT_TRUE(std::isnan(figures.best_pixel_accuracy.value));
   EXPECT_TRUE(std::isnan(figures.accuracy.value));
-  EXPECT_TRUE(std::isnan(figures.log_loss));
+  EXPECT_TRUE(std::isnan(figures.log_loss.value));
 }
 
 TEST(PoolPixels, PutsImagesInARow) {

@@ -43,11 +43,19 @@ TEST(GraspPointJson, HasTheDocumentedKeys) {
                           "accuracy_interval",
                           "auc",
                           "auc_interval",
+                          "average_precision",
+                          "average_precision_interval",
                           "log_loss",
+                          "log_loss_interval",
                           "brier",
+                          "brier_interval",
                           "confusion",
+                          "strict_accuracy",
+                          "strict_accuracy_interval",
+                          "strict_confusion",
                           "classes",
                           "roc",
+                          "precision_recall",
                           "reliability",
                           "images"));
   EXPECT_THAT(KeysOf(json["images"][0]),
@@ -66,6 +74,9 @@ TEST(GraspPointJson, HoldsTheFigures) {
   EXPECT_DOUBLE_EQ(json["accuracy"], 4.0 / 7.0);
   EXPECT_DOUBLE_EQ(json["best_pixel_accuracy"], 2.0 / 3.0);
   EXPECT_EQ(json["confusion"]["true_positive"], 2);
+  EXPECT_EQ(json["strict_confusion"]["true_positive"], 0);
+  EXPECT_EQ(json["precision_recall"].size(), 7U);
+  EXPECT_DOUBLE_EQ(json["precision_recall"][0][0], 1.0 / 3.0);
   EXPECT_EQ(json["classes"][1]["class"], "pen <x>");
   EXPECT_TRUE(json["classes"][1]["auc"].is_null());
   EXPECT_EQ(json["images"][0]["best_pixels"][2]["label"], "bad");

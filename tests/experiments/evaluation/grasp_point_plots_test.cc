@@ -36,6 +36,13 @@ TEST(PlotRoc, IsAnEmptyFrameWithoutACurve) {
   EXPECT_THAT(PlotRoc({}).ToInlineText(), Not(HasSubstr("class=\"line first\"")));
 }
 
+TEST(PlotPrecisionRecall, DrawsTheCurve) {
+  const auto hand = testing::MakeHandFilledEvaluation();
+  const std::string text = PlotPrecisionRecall(hand.evaluation.precision_recall).ToInlineText();
+  EXPECT_EQ(CountOf(text, "class=\"line first\""), 1U);
+  EXPECT_THAT(PlotPrecisionRecall({}).ToInlineText(), Not(HasSubstr("class=\"line first\"")));
+}
+
 TEST(PlotReliability, MarksOnlyBinsThatHoldSomething) {
   const std::vector<float> probabilities = {0.1F, 0.1F, 0.9F};
   const std::vector<std::uint8_t> labels = {0, 1, 1};

@@ -12,11 +12,19 @@ using ::testing::HasSubstr;
 using testing::Outcome;
 using testing::RunLine;
 
+TEST(Study, NamesItsCommands) {
+  EXPECT_THAT(RunLine("study").err,
+              HasSubstr("a command is missing; there are: run, compare, list"));
+}
+
 TEST(Study, NamesTheStudiesThereAre) {
-  const Outcome outcome = RunLine("study run no-such-study");
+  const Outcome outcome = RunLine("study run no-such-study --out nowhere");
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("no command 'no-such-study'; there are: feature-analysis"));
-  EXPECT_THAT(RunLine("study").err, HasSubstr("a command is missing; there are: run"));
+  EXPECT_THAT(outcome.err, HasSubstr("\"no-such-study\"; there are: feature-analysis, chapter3"));
+}
+
+TEST(Study, HelpsWithAnExample) {
+  EXPECT_THAT(RunLine("study run --help").out, HasSubstr("handcraft study run"));
 }
 
 }  // namespace

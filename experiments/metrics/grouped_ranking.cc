@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "experiments/metrics/grouped_auc.h"
+#include "experiments/metrics/grouped_ranking.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +12,10 @@
 
 namespace handcraft::experiments {
 
-GroupedAuc::GroupedAuc(std::span<const double> scores,
-                       std::span<const std::uint8_t> labels,
-                       std::span<const std::size_t> groups,
-                       std::size_t num_groups)
+GroupedRanking::GroupedRanking(std::span<const double> scores,
+                               std::span<const std::uint8_t> labels,
+                               std::span<const std::size_t> groups,
+                               std::size_t num_groups)
     : num_groups_(num_groups) {
   HC_CHECK(scores.size() == labels.size() && scores.size() == groups.size(),
            scores.size(),
@@ -39,12 +39,18 @@ GroupedAuc::GroupedAuc(std::span<const double> scores,
   }
 }
 
-double GroupedAuc::OfResample(std::span<const std::size_t> drawn_groups) const {
+std::vector<std::uint64_t> GroupedRanking::TimesDrawn(
+    std::span<const std::size_t> drawn_groups) const {
   std::vector<std::uint64_t> times(num_groups_, 0);
   for (const std::size_t group : drawn_groups) {
     HC_CHECK(group < num_groups_, group, num_groups_);
     ++times[group];
   }
+  return times;
+}
+
+double GroupedRanking::Auc(std::span<const std::size_t> drawn_groups) const {
+  const std::vector<std::uint64_t> times = TimesDrawn(drawn_groups);
   // Going down the scores: a bad sample loses to every good one above it and half to its ties.
   std::uint64_t num_good = 0;
   std::uint64_t num_bad = 0;
@@ -64,6 +70,25 @@ double GroupedAuc::OfResample(std::span<const std::size_t> drawn_groups) const {
   if (num_good == 0 || num_bad == 0) return std::numeric_limits<double>::quiet_NaN();
   return static_cast<double>(twice_wins) /
          (2.0 * static_cast<double>(num_good) * static_cast<double>(num_bad));
+}
+
+double GroupedRanking::AveragePrecision(std::span<const std::size_t> drawn_groups) const {
+  const std::vector<std::uint64_t> times = TimesDrawn(drawn_groups);
+  std::uint64_t num_good = 0;
+  std::uint64_t num_called = 0;
+  std::uint64_t good_before = 0;
+  double sum = 0.0;
+  for (const Sample& sample : descending_) {
+    const std::uint64_t weight = times[sample.group];
+    num_called += weight;
+    num_good += sample.is_good ? weight : 0;
+    if (!sample.ends_tie || num_good == good_before) continue;
+    sum += static_cast<double>(num_good - good_before) * static_cast<double>(num_good) /
+           static_cast<double>(num_called);
+    good_before = num_good;
+  }
+  if (num_good == 0 || num_good == num_called) return std::numeric_limits<double>::quiet_NaN();
+  return sum / static_cast<double>(num_good);
 }
 
 }  // namespace handcraft::experiments

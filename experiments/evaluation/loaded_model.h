@@ -12,7 +12,7 @@
 
 #include "lib/runtime/handcraft_runtime.h"
 
-namespace handcraft::tools {
+namespace handcraft::experiments {
 
 struct FreeModel {
   void operator()(hc_model* model) const noexcept { hc_model_free(model); }
@@ -32,4 +32,4 @@ using LoadedModel = std::unique_ptr<hc_model, FreeModel>;
 /// "grasp_point" or "logistic".
 [[nodiscard]] std::string_view KindName(hc_kind kind) noexcept;
 
-}  // namespace handcraft::tools
+}  // namespace handcraft::experiments

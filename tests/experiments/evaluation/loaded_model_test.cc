@@ -1,24 +1,34 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "tools/loaded_model.h"
+#include "experiments/evaluation/loaded_model.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include "lib/core/error.h"
 #include "lib/core/file.h"
+#include "lib/model_io/linear_models.h"
 #include "tests/support/expect_throws_message.h"
 #include "tests/support/temporary_directory.h"
-#include "tests/tools/support/generated_data.h"
 
-namespace handcraft::tools {
+namespace handcraft::experiments {
 namespace {
 
-using handcraft::testing::TemporaryDirectory;
 using ::testing::HasSubstr;
 
-TEST(LoadModel, LoadsWhatWasTrained) {
-  const TemporaryDirectory folder;
-  testing::WriteTable(folder / "t.csv");
-  testing::TrainLogistic(folder / "t.csv", folder / "m");
+std::vector<std::uint8_t> LogisticModelBytes() {
+  return model_io::Serialise(model_io::MakeLogisticModel(
+      {"a", "b"}, "class", "no", "yes", {.weights = {1.0, -2.0}, .intercept = 0.5}, {}));
+}
+
+TEST(LoadModel, LoadsWhatWasWritten) {
+  const testing::TemporaryDirectory folder;
+  WriteFileAtomically(folder / "m", LogisticModelBytes());
   const LoadedModel model = LoadModel(folder / "m");
   EXPECT_EQ(KindName(hc_model_kind(model.get())), "logistic");
   EXPECT_EQ(MetadataOf(model.get(), "hc.label_column"), "class");
@@ -26,17 +36,14 @@ TEST(LoadModel, LoadsWhatWasTrained) {
 }
 
 TEST(LoadModel, LoadsBytesAsItLoadsFiles) {
-  const TemporaryDirectory folder;
-  testing::WriteTable(folder / "t.csv");
-  testing::TrainLogistic(folder / "t.csv", folder / "m");
-  std::vector<std::uint8_t> bytes = ReadFile(folder / "m");
+  std::vector<std::uint8_t> bytes = LogisticModelBytes();
   EXPECT_EQ(MetadataOf(LoadModel(bytes).get(), "hc.label_column"), "class");
   bytes[bytes.size() / 2] ^= 1U;
   EXPECT_THROWS_MESSAGE(LoadModel(bytes), Error, HasSubstr("checksum"));
 }
 
 TEST(LoadModel, PassesOnTheRuntimesWordsAndOffset) {
-  const TemporaryDirectory folder;
+  const testing::TemporaryDirectory folder;
   EXPECT_THROWS_MESSAGE(LoadModel(folder / "missing"),
                         Error,
                         ::testing::EndsWith("missing: cannot open: No such file or directory"));
@@ -47,4 +54,4 @@ TEST(LoadModel, PassesOnTheRuntimesWordsAndOffset) {
 }
 
 }  // namespace
-}  // namespace handcraft::tools
+}  // namespace handcraft::experiments

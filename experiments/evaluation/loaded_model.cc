@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "tools/loaded_model.h"
+#include "experiments/evaluation/loaded_model.h"
 
 #include <cstdint>
 #include <string>
@@ -9,7 +9,7 @@
 
 #include "lib/core/error.h"
 
-namespace handcraft::tools {
+namespace handcraft::experiments {
 namespace {
 
 Error::Details DetailsOf(const hc_error& error) {
@@ -53,4 +53,4 @@ std::string_view KindName(hc_kind kind) noexcept {
   return kind == HC_KIND_GRASP_POINT ? "grasp_point" : "logistic";
 }
 
-}  // namespace handcraft::tools
+}  // namespace handcraft::experiments

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace handcraft::experiments {
+
+/// Figures of the order of scores, of resampled groups (images): what the bootstrap asks for a
+/// thousand times. The samples are sorted once; each resample is then one linear pass in which a
+/// sample counts as often as its group was drawn.
+///
+/// Immutable after construction: the figures may be asked for from many threads. They are NaN when
+/// a class is missing, take O(n) and allocate num_groups counts. Throws std::logic_error on a drawn
+/// group out of range.
+class GroupedRanking {
+ public:
+  /// Sample i belongs to group groups[i] < num_groups. Throws std::logic_error on lengths that
+  /// differ, NaN scores, labels other than 0/1, or a group out of range. O(n log n).
+  GroupedRanking(std::span<const double> scores,
+                 std::span<const std::uint8_t> labels,
+                 std::span<const std::size_t> groups,
+                 std::size_t num_groups);
+
+  /// Area under the ROC curve of the listed groups, repeats counted: exactly RocAuc of the samples
+  /// written out.
+  [[nodiscard]] double Auc(std::span<const std::size_t> drawn_groups) const;
+
+  /// Average precision of the same, Σ_k (R_k − R_{k−1}) P_k over the distinct scores from the
+  /// highest down, with R_k the recall and P_k the precision of the samples above or at it. No
+  /// interpolation. Guessing gives the share of good samples.
+  /// Source: Manning, Raghavan and Schütze 2008, "Introduction to Information Retrieval", sec. 8.4.
+  [[nodiscard]] double AveragePrecision(std::span<const std::size_t> drawn_groups) const;
+
+ private:
+  [[nodiscard]] std::vector<std::uint64_t> TimesDrawn(
+      std::span<const std::size_t> drawn_groups) const;
+  struct Sample {
+    std::size_t group = 0;
+    bool is_good = false;
+    bool ends_tie = false;  ///< the next sample has a lower score, or there is none
+  };
+
+  std::vector<Sample> descending_;
+  std::size_t num_groups_;
+};
+
+}  // namespace handcraft::experiments

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/runner/bar_figure.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace handcraft::experiments {
+namespace {
+
+constexpr double kGroupWidth = 0.8;  // of the distance of two groups
+
+struct Range {
+  double low = 0.0;
+  double high = 0.0;
+};
+
+Range RangeOf(const BarFigure& figure) {
+  Range range;
+  for (const BarFigure::Series& series : figure.series) {
+    for (const Estimate& bar : series.bars) {
+      for (const double end : {bar.value, bar.low, bar.high}) {
+        if (std::isnan(end)) continue;
+        range.low = std::min(range.low, end);
+        range.high = std::max(range.high, end);
+      }
+    }
+  }
+  if (range.low == range.high) range.high = 1.0;
+  const double margin = 0.05 * (range.high - range.low);
+  if (range.low < 0.0) range.low -= margin;
+  range.high += margin;
+  return range;
+}
+
+// Text inside double quotes; what would end them or the line is left out.
+std::string Quoted(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    if (letter != '"' && letter != '\\' && letter != '\n' && letter != '`') quoted += letter;
+  }
+  return quoted + "\"";
+}
+
+std::string Number(double value) {
+  return std::isnan(value) ? std::string("NaN") : fmt::format("{:.6g}", value);
+}
+
+std::string DataBlock(const BarFigure& figure) {
+  std::string text = "$bars << END_OF_BARS\n";
+  for (std::size_t k = 0; k < figure.groups.size(); ++k) {
+    text += Quoted(figure.groups[k]);
+    for (const BarFigure::Series& series : figure.series) {
+      const Estimate& bar = series.bars.at(k);
+      text += fmt::format(" {} {} {}", Number(bar.value), Number(bar.low), Number(bar.high));
+    }
+    text += "\n";
+  }
+  return text + "END_OF_BARS\n";
+}
+
+std::string PlotCommand(const BarFigure& figure) {
+  std::string text = "plot ";
+  for (std::size_t i = 0; i < figure.series.size(); ++i) {
+    const std::size_t column = 2 + 3 * i;
+    text += fmt::format(
+        "{}$bars using {}:{}:{}:xtic(1) title {} linecolor rgb \"{}\"",
+        i == 0 ? "" : ", ",
+        column,
+        column + 1,
+        column + 2,
+        Quoted(figure.series[i].name),
+        std::array{"#14766f", "#c25a24", "#5566a8", "#8a7a2b", "#8b4a7d", "#5f6670"}[i % 6]);
+  }
+  return text + "\n";
+}
+
+void AddBars(const BarFigure& figure, SvgFigure& plot) {
+  constexpr std::array kTones = {
+      Tone::kFirst, Tone::kSecond, Tone::kThird, Tone::kQuiet, Tone::kInk};
+  const double width = kGroupWidth / static_cast<double>(figure.series.size());
+  for (std::size_t i = 0; i < figure.series.size(); ++i) {
+    const Tone tone = kTones[i % kTones.size()];
+    for (std::size_t k = 0; k < figure.groups.size(); ++k) {
+      const Estimate& bar = figure.series[i].bars.at(k);
+      if (std::isnan(bar.value)) continue;
+      const double left =
+          static_cast<double>(k) - 0.5 * kGroupWidth + width * static_cast<double>(i);
+      plot.AddBar(
+          {left, std::min(0.0, bar.value)}, {left + 0.9 * width, std::max(0.0, bar.value)}, tone);
+      if (std::isnan(bar.low) || std::isnan(bar.high)) continue;
+      plot.AddInterval(left + 0.45 * width, bar.low, bar.high, Tone::kInk);
+    }
+    const double row = 0.97 - 0.05 * static_cast<double>(i);
+    const Range range = RangeOf(figure);
+    plot.AddText({-0.45, range.low + row * (range.high - range.low)}, figure.series[i].name, tone);
+  }
+}
+
+// In the child: only calls that are allowed between fork and exec.
+[[noreturn]] void BecomeGnuplot(const char* folder, const char* file) {
+  const int nowhere = ::open("/dev/null", O_RDWR);
+  if (nowhere < 0 || ::dup2(nowhere, STDOUT_FILENO) < 0 || ::dup2(nowhere, STDERR_FILENO) < 0 ||
+      ::chdir(folder) != 0) {
+    ::_exit(127);
+  }
+  ::execlp("gnuplot", "gnuplot", file, nullptr);
+  ::_exit(127);
+}
+
+}  // namespace
+
+std::string GnuplotProgram(const BarFigure& figure, const std::string& name) {
+  const Range range = RangeOf(figure);
+  std::string text = DataBlock(figure);
+  text += fmt::format(
+      "set termoption noenhanced\n"
+      "set title {} noenhanced\nset ylabel {} noenhanced\n"
+      "set style data histograms\nset style histogram errorbars gap 1.5 linewidth 1\n"
+      "set style fill solid 0.85 noborder\nset errorbars 0.4 front linewidth 1 linecolor rgb "
+      "\"#23262b\"\n"
+      "set yrange [{}:{}]\nset grid ytics linecolor rgb \"#dddddd\"\nset xzeroaxis\n"
+      "set xtics rotate by -30 noenhanced\nset key outside right top noenhanced\n",
+      Quoted(figure.title),
+      Quoted(figure.y_label),
+      Number(range.low),
+      Number(range.high));
+  for (const auto& [terminal, ending] :
+       {std::pair("svg size 960,420 noenhanced background \"#ffffff\"", "svg"),
+        std::pair("pdfcairo size 9.6in,4.2in noenhanced", "pdf")}) {
+    text += fmt::format("set terminal {}\nset output {}\n", terminal, Quoted(name + "." + ending));
+    text += PlotCommand(figure) + "unset output\n";
+  }
+  return text;
+}
+
+SvgFigure PlotBars(const BarFigure& figure) {
+  constexpr int kWidthPx = 900;
+  constexpr int kHeightPx = 340;
+  const Range range = RangeOf(figure);
+  Axis x{.low = -0.5, .high = static_cast<double>(figure.groups.size()) - 0.5};
+  for (std::size_t k = 0; k < figure.groups.size(); ++k) {
+    x.ticks.push_back(static_cast<double>(k));
+    x.tick_labels.push_back(figure.groups[k]);
+  }
+  SvgFigure plot(figure.title,
+                 std::move(x),
+                 {.low = range.low, .high = range.high, .label = figure.y_label},
+                 kWidthPx,
+                 kHeightPx);
+  AddBars(figure, plot);
+  return plot;
+}
+
+bool RunGnuplot(const std::filesystem::path& program) {
+  const std::string folder = std::filesystem::absolute(program).parent_path().string();
+  const std::string file = program.filename().string();
+  const pid_t child = ::fork();
+  if (child < 0) return false;
+  if (child == 0) BecomeGnuplot(folder.c_str(), file.c_str());
+  int status = 0;
+  return ::waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace handcraft::experiments

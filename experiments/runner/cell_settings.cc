@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/runner/cell_settings.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "lib/core/error.h"
+
+namespace handcraft::experiments {
+namespace {
+
+[[noreturn]] void FailSetting(const Setting& setting, std::string_view rule) {
+  throw Error(
+      {.kind = Error::Kind::kUsage,
+       .reason = fmt::format("{} is \"{}\"; it must be {}", setting.key, setting.value, rule)});
+}
+
+template <class Number>
+Number ParseNumber(const Setting& setting, std::string_view rule) {
+  Number number{};
+  const char* const end = setting.value.data() + setting.value.size();
+  const auto [stopped, error] = std::from_chars(setting.value.data(), end, number);
+  if (error != std::errc() || stopped != end) FailSetting(setting, rule);
+  return number;
+}
+
+double ParsePositive(const Setting& setting, double most, std::string_view rule) {
+  const auto number = ParseNumber<double>(setting, rule);
+  if (!(number > 0.0 && number <= most)) FailSetting(setting, rule);
+  return number;
+}
+
+void ApplyFeatures(const Setting& setting, CellSettings& settings) {
+  static_cast<void>(features::ParseFeatureSpec(setting.value));
+  settings.features = setting.value;
+}
+
+void ApplyEnergy(const Setting& setting, CellSettings& settings) {
+  using features::Energy;
+  for (const Energy energy : {Energy::kSquare, Energy::kAbs, Energy::kLog}) {
+    if (setting.value != features::NameOf(energy)) continue;
+    settings.energy = energy;
+    return;
+  }
+  FailSetting(setting, "square, abs or log");
+}
+
+void ApplyWindow(const Setting& setting, CellSettings& settings) {
+  constexpr std::string_view kRule = "1, 3 or 5";
+  const auto window = ParseNumber<int>(setting, kRule);
+  if (window != 1 && window != 3 && window != 5) FailSetting(setting, kRule);
+  settings.window = window;
+}
+
+void ApplyRidge(const Setting& setting, CellSettings& settings) {
+  constexpr std::string_view kRule = "a number from 0 on";
+  settings.ridge = ParseNumber<double>(setting, kRule);
+  if (!(settings.ridge >= 0.0) || !std::isfinite(settings.ridge)) FailSetting(setting, kRule);
+}
+
+// "1+0.5+1.5": numbers that differ.
+void ApplyScales(const Setting& setting, CellSettings& settings) {
+  constexpr std::string_view kRule = "different numbers from 0.1 to 10, such as 1+0.5+1.5";
+  settings.training_scales.clear();
+  std::size_t begin = 0;
+  while (begin <= setting.value.size()) {
+    const std::size_t end = std::min(setting.value.find('+', begin), setting.value.size());
+    const Setting part{setting.key, setting.value.substr(begin, end - begin)};
+    const auto scale = ParseNumber<double>(part, kRule);
+    if (!(scale >= 0.1 && scale <= 10.0)) FailSetting(setting, kRule);
+    std::vector<double>& scales = settings.training_scales;
+    if (std::find(scales.begin(), scales.end(), scale) != scales.end()) FailSetting(setting, kRule);
+    scales.push_back(scale);
+    begin = end + 1;
+  }
+}
+
+struct Key {
+  std::string_view name;
+  void (*apply)(const Setting& setting, CellSettings& settings);
+};
+
+constexpr std::array kKeys = {
+    Key{"features", &ApplyFeatures},
+    Key{"energy", &ApplyEnergy},
+    Key{"window", &ApplyWindow},
+    Key{"ridge", &ApplyRidge},
+    Key{"training_share",
+        [](const Setting& setting, CellSettings& settings) {
+          settings.training_share = ParsePositive(setting, 1.0, "a share in (0, 1]");
+        }},
+    Key{"samples",
+        [](const Setting& setting, CellSettings& settings) {
+          settings.samples = ParseNumber<std::size_t>(setting, "a whole number from 0 on");
+        }},
+    Key{"training_scales", &ApplyScales},
+    Key{"bad_per_good",
+        [](const Setting& setting, CellSettings& settings) {
+          settings.bad_per_good = ParsePositive(setting, 1e6, "a number above 0, up to 1e6");
+        }},
+};
+
+constexpr auto kKeyNames = [] {
+  std::array<std::string_view, kKeys.size()> names;
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = kKeys[i].name;
+  return names;
+}();
+
+}  // namespace
+
+std::span<const std::string_view> SettingKeys() { return kKeyNames; }
+
+void ApplySetting(const Setting& setting, CellSettings& settings) {
+  for (const Key& key : kKeys) {
+    if (key.name == setting.key) return key.apply(setting, settings);
+  }
+  throw Error(
+      {.kind = Error::Kind::kUsage,
+       .reason = fmt::format(
+           "\"{}\" is no setting; there are: {}", setting.key, fmt::join(kKeyNames, ", "))});
+}
+
+features::FeatureSpec SpecOf(const CellSettings& settings) {
+  features::FeatureSpec spec = features::ParseFeatureSpec(settings.features);
+  if (settings.energy) spec.energy = *settings.energy;
+  if (settings.window) spec.window = *settings.window;
+  return spec;
+}
+
+}  // namespace handcraft::experiments

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/runner/grid.h"
+
+#include <fmt/format.h>
+
+#include "lib/core/error.h"
+
+namespace handcraft::experiments {
+namespace {
+
+// Every combination of the factors' values, the last factor changing fastest.
+std::vector<std::vector<Setting>> Combine(const std::vector<Factor>& factors) {
+  std::vector<std::vector<Setting>> combinations = {{}};
+  for (const Factor& factor : factors) {
+    std::vector<std::vector<Setting>> longer;
+    for (const std::vector<Setting>& combination : combinations) {
+      for (const std::string& value : factor.values) {
+        longer.push_back(combination);
+        longer.back().push_back({factor.key, value});
+      }
+    }
+    combinations = std::move(longer);
+  }
+  return combinations;
+}
+
+// Features are written with commas and the like; a name of a file has none of / and blanks.
+std::string PlainText(const std::string& value) {
+  std::string plain = value;
+  for (char& letter : plain) {
+    if (letter == '/' || letter == ' ' || letter == ',') letter = '+';
+  }
+  return plain;
+}
+
+std::string IdOf(const Cell& cell) {
+  std::string id = cell.method;
+  for (const Setting& setting : cell.factors) {
+    id += fmt::format(",{}={}", setting.key, PlainText(setting.value));
+  }
+  return id + fmt::format(",repetition={}", cell.repetition);
+}
+
+CellSettings SettingsOf(const Study& study, const Method& method, const Cell& cell) {
+  CellSettings settings;
+  for (const auto* list : {&study.settings, &method.settings, &cell.factors}) {
+    for (const Setting& setting : *list) ApplySetting(setting, settings);
+  }
+  return settings;
+}
+
+// What no single setting can be blamed for.
+void CheckSettings(const Study& study, const Cell& cell) {
+  const bool leaves_test_images = study.split == StudySplit::kManifest || study.test.has_value() ||
+                                  cell.settings.training_share < 1.0;
+  if (leaves_test_images) return;
+  throw Error(
+      {.kind = Error::Kind::kUsage,
+       .reason = fmt::format("cell {}: training_share 1 leaves no picture to test with", cell.id),
+       .remedy = "train on less, or name other pictures in [data.test]"});
+}
+
+}  // namespace
+
+std::vector<Cell> MakeCells(const Study& study) {
+  std::vector<Cell> cells;
+  for (const Method& method : study.methods) {
+    for (const std::vector<Setting>& factors : Combine(study.factors)) {
+      for (int repetition = 1; repetition <= study.repetitions; ++repetition) {
+        Cell cell{.id = {},
+                  .method = method.name,
+                  .factors = factors,
+                  .repetition = repetition,
+                  .seed = study.seed + static_cast<std::uint64_t>(repetition - 1),
+                  .settings = {}};
+        cell.id = IdOf(cell);
+        cell.settings = SettingsOf(study, method, cell);
+        CheckSettings(study, cell);
+        cells.push_back(std::move(cell));
+      }
+    }
+  }
+  return cells;
+}
+
+}  // namespace handcraft::experiments

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/runner/study_page.h"
+
+#include <cmath>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "experiments/evaluation/confusion_table.h"
+#include "experiments/evaluation/html_text.h"
+#include "experiments/runner/summary_markdown.h"
+
+namespace handcraft::experiments {
+namespace {
+
+std::string HeaderText(const StudyRun& run, const StudySummary& summary) {
+  const Study& study = run.study;
+  std::string text =
+      fmt::format("<header><p class=\"kicker\">Study {} · {} cells</p>\n<h1>{}</h1>\n",
+                  EscapeHtml(study.name),
+                  run.cells.size(),
+                  EscapeHtml(study.title));
+  if (!study.question.empty()) {
+    text += fmt::format("<p class=\"lead\">{}</p>\n", EscapeHtml(study.question));
+  }
+  const std::string verdict = VerdictText(study, summary);
+  if (!verdict.empty()) text += fmt::format("<p>{}</p>\n", EscapeHtml(verdict));
+  return text + "</header>\n";
+}
+
+std::string HeadRow(const std::vector<std::string>& names) {
+  std::string row = "<tr>";
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    row += fmt::format(
+        "<th scope=\"col\"{}>{}</th>", i == 0 ? "" : " class=\"number\"", EscapeHtml(names[i]));
+  }
+  return "<thead>" + row + "</tr></thead>\n";
+}
+
+std::string NumberCell(const std::string& value, const std::string& range, double tint) {
+  const std::string style =
+      std::isnan(tint) ? std::string()
+                       : fmt::format(" style=\"background: rgba(20, 140, 130, {:.2f})\"", tint);
+  return fmt::format(
+      "<td class=\"number\"{}>{}<span class=\"range\">{}</span></td>", style, value, range);
+}
+
+std::string ByClassText(const StudySummary& summary) {
+  std::vector<std::string> head = {"class"};
+  for (const SeriesSummary& series : summary.series) head.push_back(series.label);
+  std::string rows;
+  for (std::size_t k = 0; k < summary.classes.size(); ++k) {
+    rows += fmt::format("<tr{}><th scope=\"row\">{}</th>",
+                        k + 1 == summary.classes.size() ? " class=\"total\"" : "",
+                        EscapeHtml(summary.classes[k]));
+    for (const SeriesSummary& series : summary.series) {
+      const Estimate& accuracy = series.by_class[k].figures.best_pixel_accuracy;
+      rows += NumberCell(
+          PercentText(accuracy.value), PercentIntervalText(accuracy), 0.5 * accuracy.value);
+    }
+    rows += "</tr>\n";
+  }
+  return "<h2>Best-pixel accuracy by class</h2>\n<p class=\"note\">Of the up to 15 best pixels of "
+         "each image that lie on labelled ground, those on good ground; 95 % intervals over "
+         "images.</p>\n<div class=\"scroll\"><table>" +
+         HeadRow(head) + "<tbody>\n" + rows + "</tbody></table></div>\n";
+}
+
+std::string PointsCell(const Estimate& difference) {
+  if (std::isnan(difference.value)) return "<td class=\"number\">–</td>";
+  return NumberCell(
+      fmt::format("{:+.2f}", 100.0 * difference.value),
+      fmt::format("[{:+.2f}, {:+.2f}]", 100.0 * difference.low, 100.0 * difference.high),
+      std::nan(""));
+}
+
+std::string DifferencesText(const Study& study, const StudySummary& summary) {
+  std::string rows;
+  for (const SeriesSummary& series : summary.series) {
+    const auto& difference = series.by_class.back().difference;
+    if (!difference) continue;
+    rows += fmt::format("<tr><th scope=\"row\">{}</th>", EscapeHtml(series.label)) +
+            PointsCell(difference->best_pixel_accuracy) + PointsCell(difference->accuracy) +
+            PointsCell(difference->brier) + "</tr>\n";
+  }
+  if (rows.empty()) return {};
+  return fmt::format(
+             "<h2>Difference to {}</h2>\n<p class=\"note\">On the same images, in points; "
+             "95 % intervals of the paired bootstrap over images. An interval without 0 is "
+             "a difference that the images can tell.</p>\n<div class=\"scroll\"><table>",
+             EscapeHtml(study.baseline)) +
+         HeadRow({"method", "best pixels", "accuracy at 0.5", "Brier score × 100"}) + "<tbody>\n" +
+         rows + "</tbody></table></div>\n";
+}
+
+std::string FiguresText(const std::vector<PageFigure>& figures) {
+  std::string text;
+  for (const PageFigure& figure : figures) {
+    const std::span bytes(reinterpret_cast<const std::uint8_t*>(figure.svg.data()),
+                          figure.svg.size());
+    text += fmt::format(
+        "<figure class=\"card wide\"><img style=\"width: 100%; background: #fff\" alt=\"{}\" "
+        "src=\"{}\"></figure>\n",
+        EscapeHtml(figure.title),
+        DataUri("image/svg+xml", bytes));
+  }
+  return text;
+}
+
+std::string ConfusionsText(const StudySummary& summary) {
+  std::string cards;
+  for (const SeriesSummary& series : summary.series) {
+    cards += fmt::format("<figure class=\"card\"><h3>{}, AUC {}</h3>\n{}</figure>\n",
+                         EscapeHtml(series.label),
+                         DecimalText(series.auc, 3),
+                         ConfusionTable(series.confusion, EvaluationOptions{}.threshold));
+  }
+  return "<h2>Labelled pixels</h2>\n<p class=\"note\">As many good as bad in each image; counts, "
+         "and "
+         "their share of the row.</p>\n<div class=\"plots\">\n" +
+         cards + "</div>\n";
+}
+
+std::string ExampleText(const Example& example) {
+  std::string cards = fmt::format(
+      "<figure class=\"card\"><img class=\"overlay\" alt=\"Labels of {0}\" src=\"{1}\">"
+      "<figcaption><strong>{0}</strong> · {2}<br>labels</figcaption></figure>\n",
+      EscapeHtml(example.image),
+      DataUri("image/jpeg", example.labels_jpeg),
+      EscapeHtml(example.object_class));
+  for (const ExampleOverlay& overlay : example.overlays) {
+    cards += fmt::format(
+        "<figure class=\"card\"><img class=\"overlay\" alt=\"{0} on {1}\" src=\"{2}\">"
+        "<figcaption><strong>{0}</strong><br>{3} of {4} good</figcaption></figure>\n",
+        EscapeHtml(overlay.label),
+        EscapeHtml(example.image),
+        DataUri("image/jpeg", overlay.jpeg),
+        overlay.best.good,
+        overlay.best.good + overlay.best.bad);
+  }
+  return "<div class=\"gallery\">\n" + cards + "</div>\n";
+}
+
+std::string ExamplesText(const std::vector<Example>& examples) {
+  if (examples.empty()) return {};
+  std::string text =
+      "<h2>Examples</h2>\n<p class=\"note\">Probability of a grasp point, warm, and the "
+      "best pixels, numbered; first repetition.</p>\n";
+  for (const Example& example : examples) text += ExampleText(example);
+  return text;
+}
+
+std::string FooterText(const StudyRun& run, const StudySummary& summary) {
+  std::string text;
+  if (!summary.warnings.empty()) {
+    text += "<h2>Warnings</h2>\n<ul>\n";
+    for (const std::string& warning : summary.warnings) {
+      text += fmt::format("<li>{}</li>\n", EscapeHtml(warning));
+    }
+    text += "</ul>\n";
+  }
+  text += "<h2>Inputs</h2>\n<dl>\n";
+  for (const std::string& line : CanonicalLines(run.study)) {
+    const std::size_t equals = line.find(" = ");
+    if (equals == std::string::npos) continue;
+    text += fmt::format("<dt>{}</dt><dd>{}</dd>\n",
+                        EscapeHtml(line.substr(0, equals)),
+                        EscapeHtml(line.substr(equals + 3)));
+  }
+  return text + fmt::format("<dt>pictures</dt><dd><code>{}</code></dd>\n</dl>\n",
+                            EscapeHtml(run.data.train_fingerprint));
+}
+
+}  // namespace
+
+std::string MakeStudyPage(const StudyRun& run,
+                          const StudySummary& summary,
+                          const std::vector<PageFigure>& figures,
+                          const std::vector<Example>& examples) {
+  return MakeHtmlPage(run.study.title,
+                      HeaderText(run, summary) + ByClassText(summary) + FiguresText(figures) +
+                          DifferencesText(run.study, summary) + ConfusionsText(summary) +
+                          ExamplesText(examples) + FooterText(run, summary));
+}
+
+}  // namespace handcraft::experiments

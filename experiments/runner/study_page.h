@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/runner/study_examples.h"
+#include "experiments/runner/study_summary.h"
+
+namespace handcraft::experiments {
+
+/// A figure as the text of an SVG file.
+struct PageFigure {
+  std::string title;
+  std::string svg;
+};
+
+/// report.html: one page that opens offline, with tables (accuracy by class as a heat map,
+/// differences to the baseline), figures, confusion matrices and example pictures. Pure: the same
+/// contents give the same bytes.
+[[nodiscard]] std::string MakeStudyPage(const StudyRun& run,
+                                        const StudySummary& summary,
+                                        const std::vector<PageFigure>& figures,
+                                        const std::vector<Example>& examples);
+
+}  // namespace handcraft::experiments

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/runner/study_run.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "datasets/parallel_reporting.h"
+#include "experiments/evaluation/loaded_model.h"
+#include "experiments/runner/cell_training.h"
+#include "experiments/runner/pinned_inputs.h"
+#include "experiments/runner/results_csv.h"
+#include "lib/core/file.h"
+#include "lib/core/option_rules.h"
+#include "lib/runtime/handcraft_runtime.h"
+
+namespace handcraft::experiments {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kResultEnding = ".json";
+constexpr const char* kModelEnding = ".safetensors";
+
+CellResult WorkOut(const Study& study,
+                   const StudyData& data,
+                   const Cell& cell,
+                   const fs::path& model_file,
+                   int num_threads) {
+  const CellData divided = DivideForCell(study, data, cell);
+  const CellTraining training =
+      TrainCell(divided.train, cell.settings, study.split, cell.seed, num_threads);
+  WriteFileAtomically(model_file, training.model);
+  const LoadedModel model = LoadModel(training.model);
+  const GraspPointEvaluation evaluation =
+      EvaluateGraspPoints(model.get(),
+                          divided.test,
+                          {.pixels_per_image = study.pixels_per_image,
+                           .bootstrap_resamples = study.bootstrap_resamples,
+                           .seed = study.seed,
+                           .num_threads = num_threads});
+  return MakeCellResult(cell.id, training, evaluation, divided.test);
+}
+
+// Before anything is made, and again when the pictures are there.
+void PinStudy(const PinnedInputs& inputs, const Study& study) {
+  inputs.Pin("version", fmt::format("{}\n", hc_version()));
+  inputs.Pin("study", fmt::format("{}\n", fmt::join(CanonicalLines(study), "\n")));
+}
+
+void PinData(const PinnedInputs& inputs, const StudyData& data) {
+  inputs.Pin("data.train", data.train_fingerprint + "\n");
+  if (data.test) inputs.Pin("data.test", data.test_fingerprint + "\n");
+}
+
+// What a killed run has left of files that were being written.
+void RemoveHalfWritten(const fs::path& cells) {
+  std::vector<fs::path> left;
+  for (const fs::directory_entry& entry : fs::directory_iterator(cells)) {
+    const fs::path ending = entry.path().extension();
+    if (ending != kResultEnding && ending != kModelEnding) left.push_back(entry.path());
+  }
+  for (const fs::path& path : left) fs::remove(path);
+}
+
+void WorkOutMissing(const StudyRun& run,
+                    const std::vector<std::size_t>& missing,
+                    const StudyRunOptions& options) {
+  const int num_missing = static_cast<int>(missing.size());
+  const int at_once = std::clamp(num_missing, 1, options.num_threads);
+  const int threads_each = std::max(1, options.num_threads / at_once);
+  datasets::ParallelForReporting(
+      missing.size(), at_once, options.progress, "cells", [&](std::size_t k) {
+        const Cell& cell = run.cells[missing[k]];
+        const CellResult result =
+            WorkOut(run.study, run.data, cell, ModelFileOf(options.out, cell), threads_each);
+        WriteCellResult(ResultFileOf(options.out, cell), result);
+      });
+}
+
+}  // namespace
+
+fs::path ResultFileOf(const fs::path& out, const Cell& cell) {
+  return out / "cells" / (cell.id + kResultEnding);
+}
+
+fs::path ModelFileOf(const fs::path& out, const Cell& cell) {
+  return out / "cells" / (cell.id + kModelEnding);
+}
+
+StudyRun RunStudy(const Study& study, const StudyRunOptions& options) {
+  RequireOption(
+      options.num_threads >= 1, "StudyRunOptions.num_threads", options.num_threads, "at least 1");
+  StudyRun run{.study = study, .data = {}, .cells = MakeCells(study), .results = {}};
+  const PinnedInputs inputs(options.out);
+  PinStudy(inputs, study);
+  run.data = PrepareStudyData(study, options.out / "data", options.num_threads, options.progress);
+  PinData(inputs, run.data);
+  fs::create_directories(options.out / "cells");
+  RemoveHalfWritten(options.out / "cells");
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < run.cells.size(); ++i) {
+    if (!fs::exists(ResultFileOf(options.out, run.cells[i]))) missing.push_back(i);
+  }
+  run.num_resumed = run.cells.size() - missing.size();
+  WorkOutMissing(run, missing, options);
+  for (const Cell& cell : run.cells) {
+    run.results.push_back(ReadCellResult(ResultFileOf(options.out, cell), cell.id));
+  }
+  WriteFileAtomically(options.out / "results.csv", ResultsCsv(run.cells, run.results));
+  WriteFileAtomically(options.out / "times.csv", TimesCsv(run.results));
+  return run;
+}
+
+}  // namespace handcraft::experiments

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/runner/summary_markdown.h"
+
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "experiments/evaluation/html_text.h"
+
+namespace handcraft::experiments {
+namespace {
+
+// Names may hold what Markdown would take for a column's end.
+std::string Cellular(std::string_view text) {
+  std::string escaped;
+  for (const char letter : text) {
+    if (letter == '|') escaped += '\\';
+    escaped += letter;
+  }
+  return escaped;
+}
+
+std::string Row(const std::vector<std::string>& cells) {
+  std::string row = "|";
+  for (const std::string& cell : cells) row += " " + Cellular(cell) + " |";
+  return row + "\n";
+}
+
+std::string Head(const std::vector<std::string>& cells) {
+  std::string rule = "|";
+  for (std::size_t i = 0; i < cells.size(); ++i) rule += i == 0 ? "---|" : "---:|";
+  return Row(cells) + rule + "\n";
+}
+
+std::string ShareText(const Estimate& estimate) {
+  return fmt::format("{} {}", PercentText(estimate.value), PercentIntervalText(estimate));
+}
+
+// A difference of shares, in points.
+std::string PointsText(const Estimate& difference) {
+  if (std::isnan(difference.value)) return "–";
+  return fmt::format("{:+.2f} [{:+.2f}, {:+.2f}]",
+                     100.0 * difference.value,
+                     100.0 * difference.low,
+                     100.0 * difference.high);
+}
+
+std::string SignedText(const Estimate& difference) {
+  if (std::isnan(difference.value)) return "–";
+  return fmt::format(
+      "{:+.4f} [{:+.4f}, {:+.4f}]", difference.value, difference.low, difference.high);
+}
+
+std::string ByClassText(const StudySummary& summary) {
+  std::vector<std::string> head = {"class", "images"};
+  for (const SeriesSummary& series : summary.series) head.push_back(series.label);
+  std::string text = Head(head);
+  for (std::size_t k = 0; k < summary.classes.size(); ++k) {
+    std::vector<std::string> row = {
+        summary.classes[k], std::to_string(summary.series.front().by_class[k].figures.num_images)};
+    for (const SeriesSummary& series : summary.series) {
+      row.push_back(ShareText(series.by_class[k].figures.best_pixel_accuracy));
+    }
+    text += Row(row);
+  }
+  return text;
+}
+
+std::string DifferencesText(const StudySummary& summary) {
+  std::string text =
+      Head({"method", "best pixels [points]", "accuracy [points]", "log-loss", "Brier score"});
+  for (const SeriesSummary& series : summary.series) {
+    const std::optional<PooledFigures>& difference = series.by_class.back().difference;
+    if (!difference) continue;
+    text += Row({series.label,
+                 PointsText(difference->best_pixel_accuracy),
+                 PointsText(difference->accuracy),
+                 SignedText(difference->log_loss),
+                 SignedText(difference->brier)});
+  }
+  return text;
+}
+
+std::string ClassifierText(const StudyRun& run, const StudySummary& summary) {
+  std::string text =
+      Head({"method", "features", "samples", "AUC", "accuracy at 0.5", "log-loss", "Brier score"});
+  for (const SeriesSummary& series : summary.series) {
+    const CellResult& first = run.results[series.cells.front()];
+    const PooledFigures& figures = series.by_class.back().figures;
+    text += Row({series.label,
+                 std::to_string(first.num_features),
+                 std::to_string(first.num_samples),
+                 DecimalText(series.auc, 3),
+                 ShareText(figures.accuracy),
+                 DecimalText(figures.log_loss.value, 4),
+                 DecimalText(figures.brier.value, 4)});
+  }
+  return text;
+}
+
+std::string InputsText(const StudyRun& run) {
+  std::string text = fmt::format(
+      "- pictures to train on: {} ({})\n", run.data.train.items.size(), run.data.train_fingerprint);
+  if (run.data.test) {
+    text += fmt::format("- pictures to test with: {} ({})\n",
+                        run.data.test->items.size(),
+                        run.data.test_fingerprint);
+  }
+  for (const std::string& line : CanonicalLines(run.study)) text += "- " + line + "\n";
+  return text;
+}
+
+// What the interval leaves open is said with the verdict.
+std::string DoubtText(const ClaimVerdict& verdict, double limit_points) {
+  if (verdict.holds && verdict.loss_points.high > limit_points) {
+    return ", but the interval reaches beyond that limit";
+  }
+  if (!verdict.holds && verdict.loss_points.low <= limit_points) {
+    return ", but the interval holds smaller losses too";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string VerdictText(const Study& study, const StudySummary& summary) {
+  if (!study.claim || !summary.verdict) return {};
+  const ClaimVerdict& verdict = *summary.verdict;
+  return fmt::format(
+      "{} says: no method is more than {} points below {}. Here the worst loss is {:.2f} points "
+      "[{:.2f}, {:.2f}] ({}): {}{}.",
+      study.claim->source,
+      study.claim->worst_loss_points,
+      study.baseline,
+      verdict.loss_points.value,
+      verdict.loss_points.low,
+      verdict.loss_points.high,
+      verdict.worst,
+      verdict.holds ? "this holds on these data" : "this does not hold on these data",
+      DoubtText(verdict, study.claim->worst_loss_points));
+}
+
+std::string SummaryMarkdown(const StudyRun& run, const StudySummary& summary) {
+  const Study& study = run.study;
+  std::string text = fmt::format("# {}\n\n", study.title);
+  if (!study.question.empty()) text += study.question + "\n\n";
+  text += "## Best-pixel accuracy\n\nWith 95 % intervals over images.\n\n" + ByClassText(summary);
+  const std::string differences = DifferencesText(summary);
+  text += fmt::format(
+      "\n## Difference to {}\n\nOn the same images; 95 % intervals of the paired "
+      "bootstrap.\n\n{}",
+      study.baseline,
+      differences);
+  const std::string verdict = VerdictText(study, summary);
+  if (!verdict.empty()) text += "\n" + verdict + "\n";
+  text += "\n## Labelled pixels\n\n" + ClassifierText(run, summary);
+  if (!summary.warnings.empty()) {
+    text += fmt::format("\n## Warnings\n\n- {}\n", fmt::join(summary.warnings, "\n- "));
+  }
+  return text + "\n## Inputs\n\n" + InputsText(run);
+}
+
+}  // namespace handcraft::experiments

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/runner/bar_figure.h"
+
+#include <filesystem>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lib/core/file.h"
+#include "tests/support/temporary_directory.h"
+
+namespace handcraft::experiments {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+BarFigure TwoByTwo() {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  return {.title = "A \"quoted\" title",
+          .y_label = "share [%]",
+          .groups = {"tea_cup", "mug"},
+          .series = {{"all500", {{50, 40, 60}, {nan, nan, nan}}},
+                     {"H1", {{-5, -8, 2}, {7, nan, nan}}}}};
+}
+
+TEST(GnuplotProgram, HoldsTheNumbersAndWritesBothFiles) {
+  EXPECT_THAT(GnuplotProgram(TwoByTwo(), "figure"),
+              AllOf(HasSubstr("\"tea_cup\" 50 40 60 -5 -8 2\n"),
+                    HasSubstr("\"mug\" NaN NaN NaN 7 NaN NaN\n"),
+                    HasSubstr("set output \"figure.svg\""),
+                    HasSubstr("set output \"figure.pdf\""),
+                    HasSubstr("title \"H1\"")));
+}
+
+TEST(GnuplotProgram, LetsNoNameBecomeACommand) {
+  BarFigure figure = TwoByTwo();
+  figure.groups[0] = "x\"\nsystem `touch owned`";
+  figure.series[0].name = "\\\"; !touch owned";
+  EXPECT_THAT(
+      GnuplotProgram(figure, "figure"),
+      AllOf(HasSubstr("\"xsystem touch owned\" 50"), HasSubstr("title \"; !touch owned\"")));
+}
+
+TEST(GnuplotProgram, HasAnAxisWithZeroAndEveryInterval) {
+  EXPECT_THAT(GnuplotProgram(TwoByTwo(), "figure"), HasSubstr("set yrange [-11.4:63.4]"));
+}
+
+TEST(PlotBars, DrawsBarsIntervalsAndNames) {
+  const std::string text = PlotBars(TwoByTwo()).ToFileText();
+  EXPECT_THAT(text, AllOf(HasSubstr("tea_cup"), HasSubstr("all500"), Not(HasSubstr("nan"))));
+  EXPECT_EQ(PlotBars(TwoByTwo()).ToFileText(), text);
+}
+
+TEST(RunGnuplot, TellsWhetherItWorked) {
+  const testing::TemporaryDirectory folder;
+  WriteFileAtomically(folder / "bad.gnuplot", "plot nothing at all\n");
+  EXPECT_FALSE(RunGnuplot(folder / "bad.gnuplot"));
+  EXPECT_FALSE(RunGnuplot(folder / "missing.gnuplot"));
+}
+
+TEST(RunGnuplot, WritesSvgAndPdf) {
+  const testing::TemporaryDirectory folder;
+  WriteFileAtomically(folder / "figure.gnuplot", GnuplotProgram(TwoByTwo(), "figure"));
+  if (!RunGnuplot(folder / "figure.gnuplot")) GTEST_SKIP() << "no gnuplot here";
+  EXPECT_THAT(ReadTextFile(folder / "figure.svg"), HasSubstr("tea_cup"));
+  EXPECT_THAT(ReadTextFile(folder / "figure.pdf"), ::testing::StartsWith("%PDF"));
+}
+
+}  // namespace
+}  // namespace handcraft::experiments

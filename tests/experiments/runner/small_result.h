@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "experiments/runner/cell_result.h"
+
+namespace handcraft::testing {
+
+/// A result filled in by hand: two pictures, one class, an AUC that could not be formed.
+inline experiments::CellResult SmallResult(const std::string& id) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  experiments::CellResult result{.id = id,
+                                 .num_training_images = 3,
+                                 .num_samples = 200,
+                                 .num_features = 20,
+                                 .termination = "converged",
+                                 .training_log_loss = 0.1,
+                                 .features_time_s = 0.25,
+                                 .training_time_s = 0.5,
+                                 .score_time_ms = 7.0};
+  experiments::GroupFigures group{.name = "mug, blue",
+                                  .num_images = 2,
+                                  .best_total = 30,
+                                  .best_good = 20,
+                                  .best_pixel_accuracy = {2.0 / 3.0, 0.5, 0.75},
+                                  .auc = {nan, nan, nan},
+                                  .log_loss = {0.3, 0.2, 0.4},
+                                  .brier = {0.1, 0.05, 0.2}};
+  result.groups.push_back(group);
+  group.name = "all";
+  result.groups.push_back(group);
+  result.images = {{.image = "a.png",
+                    .object_class = "mug, blue",
+                    .best = {.good = 12, .bad = 3},
+                    .num_pixels = 10,
+                    .num_right = 9,
+                    .log_loss_sum = 1.0 / 3.0,
+                    .squared_error_sum = 0.5},
+                   {.image = "b.png", .object_class = "mug, blue", .best = {.good = 8, .bad = 7}}};
+  return result;
+}
+
+}  // namespace handcraft::testing

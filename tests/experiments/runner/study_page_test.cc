@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/runner/study_page.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/experiments/runner/small_run.h"
+
+namespace handcraft::experiments {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string Page(const std::vector<Example>& examples) {
+  const StudyRun run = testing::SmallRun();
+  return MakeStudyPage(run, SummariseStudy(run, 1), {{"A figure", "<svg></svg>"}}, examples);
+}
+
+TEST(MakeStudyPage, HoldsTablesFiguresAndVerdict) {
+  EXPECT_THAT(Page({}),
+              AllOf(HasSubstr("Which filter?"),
+                    HasSubstr("this holds on these data"),
+                    HasSubstr("80.0 %<span class=\"range\">[80.0, 80.0] %"),
+                    HasSubstr("-10.00<span class=\"range\">[-10.00, -10.00]"),
+                    HasSubstr("data:image/svg+xml;base64,"),
+                    HasSubstr("edge, ridge = 2, AUC 0.750"),
+                    HasSubstr("<dt>split</dt><dd>instance</dd>")));
+}
+
+TEST(MakeStudyPage, LoadsNothingFromOutsideAndEscapesNames) {
+  const std::string page = Page({{.image = "<p>",
+                                  .object_class = "a&b",
+                                  .labels_jpeg = {1},
+                                  .overlays = {{.label = "x<y", .best = {2, 1}, .jpeg = {2}}}}});
+  EXPECT_THAT(page,
+              AllOf(HasSubstr("Rough &lt;or&gt; smooth"),
+                    HasSubstr("mug &lt;blue&gt;"),
+                    HasSubstr("&lt;p&gt;"),
+                    HasSubstr("x&lt;y"),
+                    HasSubstr("2 of 3 good"),
+                    Not(HasSubstr("<script")),
+                    Not(HasSubstr("src=\"http"))));
+}
+
+}  // namespace
+}  // namespace handcraft::experiments

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/runner/study_run.h"
+
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lib/core/error.h"
+#include "lib/core/file.h"
+#include "tests/experiments/runner/small_study.h"
+#include "tests/support/expect_throws_message.h"
+#include "tests/support/temporary_directory.h"
+
+namespace handcraft::experiments {
+namespace {
+
+using ::testing::HasSubstr;
+
+class RunStudyTest : public ::testing::Test {
+ protected:
+  RunStudyTest() { testing::WriteRoughSet(folder_ / "data"); }
+
+  [[nodiscard]] StudyRun Run(const std::string& out, int num_threads = 1) const {
+    return RunStudy(study_, {.out = folder_ / out, .num_threads = num_threads});
+  }
+  [[nodiscard]] std::string ResultsOf(const std::string& out) const {
+    return ReadTextFile(folder_ / out / "results.csv");
+  }
+
+  testing::TemporaryDirectory folder_;
+  Study study_ = testing::SmallStudy(folder_ / "data");
+};
+
+TEST_F(RunStudyTest, WorksOutEveryCell) {
+  const StudyRun run = Run("out");
+  ASSERT_EQ(run.cells.size(), 8U);
+  ASSERT_EQ(run.results.size(), 8U);
+  EXPECT_EQ(run.num_resumed, 0U);
+  for (const CellResult& result : run.results) {
+    EXPECT_EQ(result.groups.back().num_images, 4U);
+    EXPECT_GT(result.groups.back().auc.value, 0.6);  // rough and smooth are told apart
+    EXPECT_EQ(result.images.size(), 4U);
+  }
+  EXPECT_TRUE(std::filesystem::exists(ModelFileOf(folder_ / "out", run.cells[0])));
+  EXPECT_THAT(ReadTextFile(folder_ / "out/times.csv"), HasSubstr(run.cells[7].id));
+}
+
+TEST_F(RunStudyTest, GivesTheSameBytesAgainAndForAnyNumberOfThreads) {
+  static_cast<void>(Run("one"));
+  static_cast<void>(Run("three", 3));
+  EXPECT_EQ(ResultsOf("three"), ResultsOf("one"));
+}
+
+TEST_F(RunStudyTest, GoesOnAfterSigkillToTheSameBytes) {
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    StudyRunOptions options{.out = folder_ / "killed"};
+    options.progress = [](std::string_view stage, std::size_t done, std::size_t) {
+      if (stage == "cells" && done == 3) static_cast<void>(raise(SIGKILL));
+    };
+    static_cast<void>(RunStudy(study_, options));
+    _exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "killed/results.csv"));
+  WriteFileAtomically(folder_ / "killed/cells/half.json.Xy12ab", "{");  // as a killed write leaves
+  EXPECT_EQ(Run("killed").num_resumed, 3U);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "killed/cells/half.json.Xy12ab"));
+  static_cast<void>(Run("undisturbed"));
+  EXPECT_EQ(ResultsOf("killed"), ResultsOf("undisturbed"));
+}
+
+TEST_F(RunStudyTest, DoesNotRedoFinishedCells) {
+  const StudyRun first = Run("out");
+  const std::filesystem::path file = ResultFileOf(folder_ / "out", first.cells[2]);
+  const auto written = std::filesystem::last_write_time(file);
+  EXPECT_EQ(Run("out").num_resumed, 8U);
+  EXPECT_EQ(std::filesystem::last_write_time(file), written);
+}
+
+TEST_F(RunStudyTest, RefusesAnotherStudyByName) {
+  static_cast<void>(Run("out"));
+  study_.settings[0].value = "150";
+  EXPECT_THROWS_MESSAGE(Run("out"),
+                        Error,
+                        HasSubstr("\"study\": settings.samples = 200, now settings.samples = 150"));
+}
+
+TEST_F(RunStudyTest, RefusesOtherPicturesByName) {
+  static_cast<void>(Run("out"));
+  testing::WriteRoughSet(folder_ / "data", 2);
+  EXPECT_THROWS_MESSAGE(Run("out"), Error, HasSubstr("another input \"data.train\""));
+}
+
+TEST_F(RunStudyTest, NamesADamagedCell) {
+  const StudyRun first = Run("out");
+  const std::filesystem::path file = ResultFileOf(folder_ / "out", first.cells[2]);
+  const std::string text = ReadTextFile(file);
+  WriteFileAtomically(file, std::string_view(text).substr(0, 50));
+  EXPECT_THROWS_MESSAGE(Run("out"), Error, HasSubstr(file.filename().string()));
+}
+
+TEST_F(RunStudyTest, RefusesNoThreads) {
+  EXPECT_THROWS_MESSAGE(Run("out", 0), Error, HasSubstr("StudyRunOptions.num_threads"));
+}
+
+}  // namespace
+}  // namespace handcraft::experiments

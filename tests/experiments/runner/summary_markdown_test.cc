@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/runner/summary_markdown.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/experiments/runner/small_run.h"
+
+namespace handcraft::experiments {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+std::string TextOf(const StudyRun& run) { return SummaryMarkdown(run, SummariseStudy(run, 1)); }
+
+TEST(SummaryMarkdown, TellsFiguresDifferencesAndInputs) {
+  EXPECT_THAT(TextOf(testing::SmallRun()),
+              AllOf(StartsWith("# Rough <or> smooth\n\nWhich filter?\n"),
+                    HasSubstr("| all | 6 | 80.0 % [80.0, 80.0] % | 70.0 % [70.0, 70.0] % |"),
+                    HasSubstr("| edge, ridge = 0.5 | -10.00 [-10.00, -10.00] |"),
+                    HasSubstr("- seed = 1\n"),
+                    HasSubstr("0123abcd"),
+                    Not(HasSubstr("## Warnings"))));
+}
+
+TEST(SummaryMarkdown, KeepsNamesInsideTheirColumn) {
+  EXPECT_THAT(TextOf(testing::SmallRun()), HasSubstr("| pen\\|cil | 3 |"));
+}
+
+TEST(SummaryMarkdown, ShowsWarnings) {
+  StudyRun run = testing::SmallRun();
+  run.results[0].termination = "separated";
+  EXPECT_THAT(TextOf(run), HasSubstr("## Warnings\n\n- laplacian,ridge=0.5,repetition=1"));
+}
+
+TEST(VerdictText, SaysWhatTheIntervalLeavesOpen) {
+  Study study = testing::SmallStudy("data");
+  study.claim = Claim{"here", 5.0};
+  StudySummary summary;
+  summary.verdict = ClaimVerdict{.worst = "b", .loss_points = {2.0, -3.0, 9.0}, .holds = true};
+  EXPECT_THAT(VerdictText(study, summary),
+              HasSubstr("this holds on these data, but the interval reaches beyond"));
+  summary.verdict = ClaimVerdict{.worst = "b", .loss_points = {8.0, 2.0, 9.0}, .holds = false};
+  EXPECT_THAT(VerdictText(study, summary), HasSubstr("but the interval holds smaller losses too"));
+  summary.verdict = ClaimVerdict{.worst = "b", .loss_points = {8.0, 6.0, 9.0}, .holds = false};
+  EXPECT_THAT(VerdictText(study, summary), HasSubstr("this does not hold on these data."));
+}
+
+TEST(VerdictText, SaysWhetherTheClaimHolds) {
+  StudyRun run = testing::SmallRun();
+  const auto verdict = [&] { return VerdictText(run.study, SummariseStudy(run, 1)); };
+  EXPECT_THAT(verdict(),
+              AllOf(HasSubstr("Section 9 says: no method is more than 15 points below laplacian."),
+                    HasSubstr("10.00 points [10.00, 10.00] (edge, ridge = 0.5)"),
+                    HasSubstr("this holds on these data")));
+  run.study.claim->worst_loss_points = 3.81;
+  EXPECT_THAT(verdict(), HasSubstr("this does not hold on these data"));
+  run.study.claim.reset();
+  EXPECT_EQ(verdict(), "");
+}
+
+}  // namespace
+}  // namespace handcraft::experiments
