@@ -3,19 +3,20 @@
 
 #include "datasets/formats/toml_file.h"
 
-#include <string>
-
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 
 namespace handcraft::datasets {
 
 toml::table ReadTomlFile(const std::filesystem::path& path) {
-  const std::string text = ReadTextFile(path);
+  return ParseToml(ReadTextFile(path), path.string());
+}
+
+toml::table ParseToml(std::string_view text, const std::string& name) {
   try {
-    return toml::parse(text, path.string());
+    return toml::parse(text, name);
   } catch (const toml::parse_error& error) {
-    throw Error({.path = path.string(),
+    throw Error({.path = name,
                  .line = error.source().begin.line,
                  .reason = "not TOML: " + std::string(error.description()),
                  .remedy = "see https://toml.io"});

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include <toml++/toml.h>
 
@@ -12,5 +14,8 @@ namespace handcraft::datasets {
 /// Reads a TOML file. Throws Error naming path, line and fault when it cannot be read or is no
 /// TOML. Source: TOML v1.0.0.
 [[nodiscard]] toml::table ReadTomlFile(const std::filesystem::path& path);
+
+/// The same of a text; messages name it `name`.
+[[nodiscard]] toml::table ParseToml(std::string_view text, const std::string& name);
 
 }  // namespace handcraft::datasets

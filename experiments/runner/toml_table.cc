@@ -79,15 +79,4 @@ std::string TomlTable::NameOfKey(std::string_view key) const {
   return name_.empty() ? std::string(key) : fmt::format("{} {}", name_, key);
 }
 
-toml::table ParseToml(std::string_view text, const std::string& file) {
-  try {
-    return toml::parse(text, file);
-  } catch (const toml::parse_error& error) {
-    throw Error({.path = file,
-                 .line = error.source().begin.line,
-                 .reason = std::string(error.description()),
-                 .remedy = "see https://toml.io"});
-  }
-}
-
 }  // namespace handcraft::experiments

@@ -44,7 +44,4 @@ class TomlTable {
   std::string name_;
 };
 
-/// Throws Error with the line of the fault.
-[[nodiscard]] toml::table ParseToml(std::string_view text, const std::string& file);
-
 }  // namespace handcraft::experiments

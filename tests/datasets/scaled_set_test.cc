@@ -82,8 +82,8 @@ TEST_F(ProvideScaledSetTest, LeavesNothingBehindWhenAPictureIsMissing) {
 }
 
 TEST_F(ProvideScaledSetTest, RefusesScalesOutOfRange) {
-  EXPECT_THROW(Scaled(0.0, "s"), std::logic_error);
-  EXPECT_THROW(Scaled(11.0, "s"), std::logic_error);
+  EXPECT_THROW(static_cast<void>(Scaled(0.0, "s")), std::logic_error);
+  EXPECT_THROW(static_cast<void>(Scaled(11.0, "s")), std::logic_error);
 }
 
 }  // namespace

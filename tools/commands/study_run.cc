@@ -44,9 +44,9 @@ experiments::Study FindStudy(const StudyRunCommand& options) {
     return experiments::ParseStudy(shipped->text, options.study, size);
   }
   if (std::filesystem::exists(options.study)) return experiments::ReadStudy(options.study, size);
-  std::string names;
+  std::string names = "feature-analysis";
   for (const experiments::ShippedStudy& shipped : experiments::ShippedStudies()) {
-    names += (names.empty() ? "" : ", ") + std::string(shipped.name);
+    names.append(", ").append(shipped.name);
   }
   throw Error({.kind = Error::Kind::kUsage,
                .reason = "no study and no file \"" + options.study + "\"; there are: " + names});
@@ -138,7 +138,7 @@ void AddStudyRun(CLI::App& parent, const Console& console) {
   AddJsonFlag(*command, options->json);
   SetExample(*command,
              "handcraft study run chapter3-trained-objects --data datasets/samples/cornell_mini "
-             "--out out/study");
+             "--out study");
   AddStudyFeatureAnalysis(*command, console);
   command->callback([options, command, &console] {
     if (!command->get_subcommands().empty()) return;  // it has done the work

@@ -36,5 +36,10 @@ TEST(ReadTomlFile, NamesTheLineThatIsNoToml) {
   EXPECT_THROWS_MESSAGE(ReadTomlFile(folder / "no.toml"), Error, HasSubstr("No such file"));
 }
 
+TEST(ParseToml, NamesTheLineOfTheFault) {
+  EXPECT_THROWS_MESSAGE(ParseToml("a = 1\nb = = 2\n", "g.toml"), Error, HasSubstr("g.toml:2"));
+  EXPECT_THROWS_MESSAGE(ParseToml("a = 1\na = 2\n", "g.toml"), Error, HasSubstr("g.toml"));
+}
+
 }  // namespace
 }  // namespace handcraft::datasets
