@@ -5,6 +5,8 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "datasets/fault_search.h"
@@ -41,11 +43,13 @@ PictureFindings Examine(const ViewSet& set, std::size_t index) {
     findings.image_digest = FileDigest(set.root / item.image);
   });
   if (!picture_size) return findings;
-  for (const auto& [column, path] :
-       {std::pair(kDepth, item.depth), std::pair(kScene, item.scene)}) {
-    if (path.empty()) continue;
-    CollectFaults(
-        set.root, findings.faults, [&] { CheckCompanion(column, set.root / path, *picture_size); });
+  using Companion = std::pair<std::string_view, const std::string&>;
+  for (const Companion& companion :
+       {Companion(kDepth, item.depth), Companion(kScene, item.scene)}) {
+    if (companion.second.empty()) continue;
+    CollectFaults(set.root, findings.faults, [&] {
+      CheckCompanion(companion.first, set.root / companion.second, *picture_size);
+    });
   }
   return findings;
 }
