@@ -75,8 +75,9 @@ void Score(benchmark::State& state,
 
 void Register(const std::string& spec, const std::string& name, const Bytes& wanted) {
   for (const ScoringWay way : {ScoringWay::kDense, ScoringWay::kSparse}) {
-    const std::string title =
-        "Region/" + spec + "/" + name + (way == ScoringWay::kDense ? "/dense" : "/sparse");
+    std::string title = "Region/";
+    title.append(spec).append("/").append(name);
+    title.append(way == ScoringWay::kDense ? "/dense" : "/sparse");
     benchmark::RegisterBenchmark(title.c_str(), Score, spec, way, wanted)
         ->Unit(benchmark::kMillisecond);
   }

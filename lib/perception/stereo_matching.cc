@@ -26,10 +26,10 @@ constexpr int kUniquenessPercent = 10;
 cv::Mat Gray(const Image& image) {
   HC_CHECK(image.channels() == 1 || image.channels() == 3, image.channels());
   // OpenCV has no read-only matrix; the pixels are only read.
-  const cv::Mat pixels(image.height(),
-                       image.width(),
-                       CV_8UC(image.channels()),
-                       const_cast<std::uint8_t*>(image.Row(0)));
+  cv::Mat pixels(image.height(),
+                 image.width(),
+                 CV_8UC(image.channels()),
+                 const_cast<std::uint8_t*>(image.Row(0)));
   if (image.channels() == 1) return pixels;
   cv::Mat gray;
   cv::cvtColor(pixels, gray, cv::COLOR_BGR2GRAY);
