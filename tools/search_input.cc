@@ -40,7 +40,7 @@ constexpr float kFarthest_m = 2.0F;
 }
 
 CameraFile ReadCamera(const SearchInput& input, const Image& image) {
-  const CameraFile file = synthetic::ReadCameraFile(input.camera);
+  CameraFile file = synthetic::ReadCameraFile(input.camera);
   const synthetic::PinholeCamera& camera = file.camera;
   if (camera.width_px != image.width() || camera.height_px != image.height()) {
     RefuseSize(input.camera, camera.width_px, camera.height_px, image);
