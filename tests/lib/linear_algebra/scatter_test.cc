@@ -198,8 +198,8 @@ TEST(Scatter, RefusesWhatIsEmptyAndWhatDoesNotFit) {
   const DesignMatrix<double> nothing{};
   EXPECT_THROWS_MESSAGE(ComputeScatter(nothing, {}, 1), Error, HasSubstr("0 samples, 0 features"));
   const auto data = Draw<double>(10, 2, 0.0, 23);
-  EXPECT_THROW(ComputeScatter(data.X(), data.groups, 2), std::logic_error);
-  EXPECT_THROW(ComputeScatter(data.X(), {}, 2), std::logic_error);
+  EXPECT_THROW(static_cast<void>(ComputeScatter(data.X(), data.groups, 2)), std::logic_error);
+  EXPECT_THROW(static_cast<void>(ComputeScatter(data.X(), {}, 2)), std::logic_error);
   EXPECT_THROWS_MESSAGE(ComputeScatter(data.X(), {}, 1, {.num_threads = 0}),
                         Error,
                         HasSubstr("ScatterOptions.num_threads is 0; it must be >= 1"));

@@ -74,9 +74,10 @@ TEST(SymmetricEigen, KeepsItsLaws) {
 }
 
 TEST(SymmetricEigen, RefusesWhatIsNotFiniteOrDoesNotFit) {
-  EXPECT_THROW(EigenDecompose({}, 0), std::logic_error);
-  EXPECT_THROW(EigenDecompose({1.0, 2.0}, 2), std::logic_error);
-  EXPECT_THROW(EigenDecompose({std::numeric_limits<double>::quiet_NaN()}, 1), std::logic_error);
+  EXPECT_THROW(static_cast<void>(EigenDecompose({}, 0)), std::logic_error);
+  EXPECT_THROW(static_cast<void>(EigenDecompose({1.0, 2.0}, 2)), std::logic_error);
+  EXPECT_THROW(static_cast<void>(EigenDecompose({std::numeric_limits<double>::quiet_NaN()}, 1)),
+               std::logic_error);
 }
 
 }  // namespace
