@@ -41,7 +41,7 @@ using testing::Require;
 
 // In which the file has this name, and a picture lies that it may name.
 std::filesystem::path FolderWithPicture(const FuzzedFile& file, const std::string& name) {
-  const std::filesystem::path folder = file.FolderOf(name);
+  std::filesystem::path folder = file.FolderOf(name);
   if (!std::filesystem::exists(folder / "a.png")) {
     Require(std::ofstream(folder / "a.png").good());
   }
@@ -50,7 +50,7 @@ std::filesystem::path FolderWithPicture(const FuzzedFile& file, const std::strin
 
 // Beside views.csv with one view, in which the file has this name.
 std::filesystem::path FolderWithView(const FuzzedFile& file, const std::string& name) {
-  const std::filesystem::path folder = file.FolderOf(name);
+  std::filesystem::path folder = file.FolderOf(name);
   if (!std::filesystem::exists(folder / "views.csv")) {
     std::ofstream views(folder / "views.csv");
     Require((views << "image,class,instance,angle_deg\na.png,mug,m1,30\n").good());

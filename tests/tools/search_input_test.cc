@@ -22,7 +22,6 @@ namespace {
 using handcraft::testing::TemporaryDirectory;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using ::testing::StartsWith;
 
 class SearchInputTest : public ::testing::Test {
  protected:

@@ -93,7 +93,7 @@ TEST_F(TrainGraspPoints, ByLinearDiscriminantAnalysis) {
     for (const double percent : row) total += percent;
   }
   EXPECT_NEAR(total, 100.0, 1e-9);
-  const auto weighted = held_out["confusion_percent_at_dissertation_ratio"];
+  const auto& weighted = held_out["confusion_percent_at_dissertation_ratio"];
   EXPECT_NEAR(weighted[0][0].get<double>() + weighted[0][1].get<double>(), 62.34, 1e-9);
 }
 
