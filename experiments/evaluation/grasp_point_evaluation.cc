@@ -19,6 +19,21 @@
 namespace handcraft::experiments {
 namespace {
 
+// The probabilities inside a region, 0 outside.
+FloatImage Inside(const FloatImage& probabilities, const Image& region) {
+  HC_CHECK(region.width() == probabilities.width() && region.height() == probabilities.height() &&
+               region.channels() == 1,
+           region.width(),
+           region.height());
+  FloatImage inside = probabilities;
+  for (int v = 0; v < inside.height(); ++v) {
+    for (int u = 0; u < inside.width(); ++u) {
+      if (region.At(u, v) == 0) inside.At(u, v) = 0.0F;
+    }
+  }
+  return inside;
+}
+
 ImageScore ScoreItem(const hc_model* model,
                      const datasets::LabelledImageSet& set,
                      std::size_t item,
@@ -29,7 +44,10 @@ ImageScore ScoreItem(const hc_model* model,
   ImageScore score;
   score.item = item;
   score.score_ms = scores.score_ms;
-  for (const hc_point& point : FindBestPixels(scores.probabilities,
+  const FloatImage candidates =
+      options.region ? Inside(scores.probabilities, options.region(item, picture.image))
+                     : scores.probabilities;
+  for (const hc_point& point : FindBestPixels(candidates,
                                               options.best_pixels,
                                               options.best_min_probability,
                                               options.suppression_radius_px)) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "datasets/formats/labelled_image_set.h"
 #include "experiments/metrics/binary_metrics.h"
 #include "experiments/metrics/precision_recall.h"
+#include "lib/core/image.h"
 #include "lib/core/progress.h"
 #include "lib/runtime/handcraft_runtime.h"
 
@@ -27,6 +29,10 @@ struct EvaluationOptions {
   std::uint64_t seed = 1;
   int num_threads = 1;
   Progress progress = {};
+  /// Where best pixels are looked for, a picture of the picture's size: not where it is 0. Empty:
+  /// everywhere. `item` is the index into the set. Called from several threads at once. Labelled
+  /// pixels are scored everywhere all the same.
+  std::function<Image(std::size_t item, const Image& picture)> region = {};
   void Validate() const;
 };
 

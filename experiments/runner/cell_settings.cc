@@ -65,6 +65,19 @@ void ApplyRidge(const Setting& setting, CellSettings& settings) {
   if (!(settings.ridge >= 0.0) || !std::isfinite(settings.ridge)) FailSetting(setting, kRule);
 }
 
+void ApplyClassifier(const Setting& setting, CellSettings& settings) {
+  if (setting.value != "logistic" && setting.value != "lda")
+    FailSetting(setting, "logistic or lda");
+  settings.classifier = setting.value == "lda" ? Classifier::kLda : Classifier::kLogistic;
+}
+
+void ApplyRegion(const Setting& setting, CellSettings& settings) {
+  if (setting.value != "picture" && setting.value != "object") {
+    FailSetting(setting, "picture or object");
+  }
+  settings.region = setting.value == "object" ? TestRegion::kObject : TestRegion::kPicture;
+}
+
 // "1+0.5+1.5": numbers that differ.
 void ApplyScales(const Setting& setting, CellSettings& settings) {
   constexpr std::string_view kRule = "different numbers from 0.1 to 10, such as 1+0.5+1.5";
@@ -91,6 +104,7 @@ constexpr std::array kKeys = {
     Key{"features", &ApplyFeatures},
     Key{"energy", &ApplyEnergy},
     Key{"window", &ApplyWindow},
+    Key{"classifier", &ApplyClassifier},
     Key{"ridge", &ApplyRidge},
     Key{"training_share",
         [](const Setting& setting, CellSettings& settings) {
@@ -105,6 +119,7 @@ constexpr std::array kKeys = {
         [](const Setting& setting, CellSettings& settings) {
           settings.bad_per_good = ParsePositive(setting, 1e6, "a number above 0, up to 1e6");
         }},
+    Key{"region", &ApplyRegion},
 };
 
 constexpr auto kKeyNames = [] {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,14 +22,28 @@ struct Setting {
   bool operator==(const Setting&) const = default;
 };
 
+/// How the weights are found.
+enum class Classifier : std::uint8_t {
+  kLogistic,  ///< docs/methods/logistic_regression.md
+  kLda,       ///< docs/methods/linear_discriminant_analysis.md
+};
+
+/// Where best pixels are looked for.
+enum class TestRegion : std::uint8_t {
+  kPicture,  ///< everywhere
+  kObject,   ///< region R of search-space reduction (object_region.h)
+};
+
 /// What a cell of a study does: which pixels it is trained on, as which features, by what.
 struct CellSettings {
   std::string features = "all500,energy=log";   ///< lib/features/feature_spec.h
   std::optional<features::Energy> energy = {};  ///< none: as `features` say
   std::optional<int> window = {};               ///< 1, 3 or 5 [px]; none: as `features` say
   double ridge = 0.0;                           ///< λ ≥ 0 of logistic regression
-  double training_share = 0.7;                  ///< share of the instances to train on, (0, 1]
-  std::size_t samples = 40000;                  ///< pixels to train on; 0: every labelled one
+  Classifier classifier = Classifier::kLogistic;
+  TestRegion region = TestRegion::kPicture;
+  double training_share = 0.7;  ///< share of the instances to train on, (0, 1]
+  std::size_t samples = 40000;  ///< pixels to train on; 0: every labelled one
   /// Sizes in which each picture is trained on, [0.1, 10], each size a picture of its own.
   std::vector<double> training_scales = {1.0};
   double bad_per_good = 1.0;  ///< bad pixels for each good one, > 0

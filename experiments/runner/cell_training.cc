@@ -10,9 +10,12 @@
 #include <fmt/ranges.h>
 
 #include "datasets/grasp_point_samples.h"
+#include "lib/core/design_matrix.h"
+#include "lib/core/error.h"
 #include "lib/core/fields.h"
 #include "lib/model_io/linear_models.h"
 #include "lib/model_io/model_writer.h"
+#include "trainers/lda/lda.h"
 #include "trainers/logistic_irls/logistic_irls.h"
 
 namespace handcraft::experiments {
@@ -88,25 +91,70 @@ std::string FingerprintOf(std::span<const datasets::LabelledImageSet> sets) {
   return fmt::format("{}", fmt::join(fingerprints, "+"));
 }
 
+// Weights however they were found.
+struct Fit {
+  model_io::LinearModel model = {};
+  std::string algorithm = {};
+  std::string termination = {};
+  double deviance = 0.0;
+  std::size_t num_positive = 0;
+  FieldTexts options = {};
+};
+
+template <class Result>
+Fit FitOf(const Result& result) {
+  return {.model = {.weights = result.weights,
+                    .intercept = result.intercept,
+                    .feature_mean = result.feature_mean,
+                    .feature_scale = result.feature_scale},
+          .termination = std::string(NameOf(result.summary.termination)),
+          .deviance = result.summary.deviance,
+          .num_positive = result.summary.num_positive};
+}
+
+Fit FitLogistic(const DesignMatrix<float>& X,
+                std::span<const std::uint8_t> labels,
+                const CellSettings& settings,
+                std::uint64_t seed,
+                int num_threads) {
+  const logistic::Options options{
+      .ridge = settings.ridge, .standard_errors = false, .num_threads = num_threads, .seed = seed};
+  Fit fit = FitOf(logistic::TrainLogistic<float>(X, labels, options));
+  fit.algorithm = "logistic_irls";
+  fit.options = FieldsToText(options, "irls.");
+  return fit;
+}
+
+Fit FitLda(const DesignMatrix<float>& X, std::span<const std::uint8_t> labels, int num_threads) {
+  const lda::Options options{.num_threads = num_threads};
+  const lda::Result result = lda::TrainLda<float>(X, labels, options);
+  if (result.weights.empty()) {
+    throw Error({.kind = Error::Kind::kNoResult,
+                 .reason = "linear discriminant analysis: " + result.summary.message,
+                 .remedy = "take other features, or more samples"});
+  }
+  Fit fit = FitOf(result);
+  fit.algorithm = "lda";
+  fit.options = FieldsToText(options, "lda.");
+  return fit;
+}
+
 std::vector<std::uint8_t> ModelBytes(const features::FeatureSpec& spec,
-                                     const logistic::Result& result,
+                                     const Fit& fit,
+                                     std::size_t num_samples,
                                      std::span<const datasets::LabelledImageSet> sets,
                                      const FieldTexts& hyper_parameters) {
-  const logistic::Summary& summary = result.summary;
   return model_io::Serialise(model_io::MakeGraspPointModel(
       spec,
-      {.weights = result.weights,
-       .intercept = result.intercept,
-       .feature_mean = result.feature_mean,
-       .feature_scale = result.feature_scale},
+      fit.model,
       {.name = "study_cell",
        .task = "grasp_point",
        .licence = fmt::format("trained on pictures under: {}",
                               fmt::join(datasets::LicencesOf(sets.front()), "; ")),
-       .algorithm = "logistic_irls",
+       .algorithm = fit.algorithm,
        .data_fingerprint = FingerprintOf(sets),
-       .class_counts = fmt::format(
-           "0: {}, 1: {}", summary.num_samples - summary.num_positive, summary.num_positive),
+       .class_counts =
+           fmt::format("0: {}, 1: {}", num_samples - fit.num_positive, fit.num_positive),
        .hyper_parameters = hyper_parameters}));
 }
 
@@ -126,23 +174,20 @@ CellTraining TrainCell(std::span<const datasets::LabelledImageSet> sets,
                         .num_samples = samples.num_samples(),
                         .num_features = samples.num_features,
                         .features_time_s = features_watch.Seconds()};
-  const logistic::Options options{
-      .ridge = settings.ridge, .standard_errors = false, .num_threads = num_threads, .seed = seed};
+  const DesignMatrix<float> X{.data = samples.features.data(),
+                              .num_samples = samples.num_samples(),
+                              .num_features = samples.num_features,
+                              .stride = samples.num_features};
   const Stopwatch training_watch;
-  const logistic::Result result =
-      logistic::TrainLogistic<float>({.data = samples.features.data(),
-                                      .num_samples = samples.num_samples(),
-                                      .num_features = samples.num_features,
-                                      .stride = samples.num_features},
-                                     samples.labels,
-                                     options);
+  const Fit fit = settings.classifier == Classifier::kLda
+                      ? FitLda(X, samples.labels, num_threads)
+                      : FitLogistic(X, samples.labels, settings, seed, num_threads);
   training.training_time_s = training_watch.Seconds();
-  training.termination = std::string(logistic::NameOf(result.summary.termination));
-  training.log_loss =
-      result.summary.deviance / (2.0 * static_cast<double>(result.summary.num_samples));
+  training.termination = fit.termination;
+  training.log_loss = fit.deviance / (2.0 * static_cast<double>(samples.num_samples()));
   FieldTexts hyper_parameters = FieldsToText(sampling, "sampling.");
-  hyper_parameters.merge(FieldsToText(options, "irls."));
-  training.model = ModelBytes(spec, result, sets, hyper_parameters);
+  hyper_parameters.insert(fit.options.begin(), fit.options.end());
+  training.model = ModelBytes(spec, fit, samples.num_samples(), sets, hyper_parameters);
   return training;
 }
 

@@ -11,6 +11,7 @@
 #include "datasets/parallel_reporting.h"
 #include "experiments/evaluation/loaded_model.h"
 #include "experiments/runner/cell_training.h"
+#include "experiments/runner/object_region.h"
 #include "experiments/runner/pinned_inputs.h"
 #include "experiments/runner/results_csv.h"
 #include "lib/core/file.h"
@@ -35,13 +36,16 @@ CellResult WorkOut(const Study& study,
       TrainCell(divided.train, cell.settings, study.split, cell.seed, num_threads);
   WriteFileAtomically(model_file, training.model);
   const LoadedModel model = LoadModel(training.model);
-  const GraspPointEvaluation evaluation =
-      EvaluateGraspPoints(model.get(),
-                          divided.test,
-                          {.pixels_per_image = study.pixels_per_image,
-                           .bootstrap_resamples = study.bootstrap_resamples,
-                           .seed = study.seed,
-                           .num_threads = num_threads});
+  EvaluationOptions options{.pixels_per_image = study.pixels_per_image,
+                            .bootstrap_resamples = study.bootstrap_resamples,
+                            .seed = study.seed,
+                            .num_threads = num_threads};
+  if (cell.settings.region == TestRegion::kObject) {
+    options.region = [&divided](std::size_t item, const Image& picture) {
+      return ObjectRegion(divided.test, item, picture);
+    };
+  }
+  const GraspPointEvaluation evaluation = EvaluateGraspPoints(model.get(), divided.test, options);
   return MakeCellResult(cell.id, training, evaluation, divided.test);
 }
 

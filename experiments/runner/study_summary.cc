@@ -111,7 +111,7 @@ std::optional<ClaimVerdict> Judge(const Study& study, const std::vector<SeriesSu
 std::vector<std::string> ListWarnings(const StudyRun& run) {
   std::vector<std::string> warnings;
   for (const CellResult& result : run.results) {
-    if (result.termination == "converged") continue;
+    if (result.termination == "converged" || result.termination == "solved") continue;
     warnings.push_back(fmt::format("{}: training ended as {}", result.id, result.termination));
   }
   return warnings;

@@ -74,6 +74,19 @@ TEST_F(EvaluateEdges, CountsFewerBestPixelsAndSuppressesNeighboursWhenAsked) {
   for (std::size_t i = 1; i < best.size(); ++i) EXPECT_EQ(best[i].v_px - best[i - 1].v_px, 6);
 }
 
+TEST_F(EvaluateEdges, LooksForBestPixelsInsideTheRegionAlone) {
+  EvaluationOptions options;
+  options.region = [](std::size_t, const Image& picture) {
+    Image region(picture.width(), picture.height());
+    for (int u = 0; u < region.width(); ++u) region.At(u, 3) = 255;
+    return region;
+  };
+  const GraspPointEvaluation evaluation = EvaluateGraspPoints(model_.get(), set_, options);
+  ASSERT_EQ(evaluation.images[0].best.size(), 2U);  // of the edge, two pixels of a row
+  EXPECT_EQ(evaluation.images[0].best[0].v_px, 3);
+  EXPECT_EQ(evaluation.all.auc.value, EvaluateGraspPoints(model_.get(), set_, {}).all.auc.value);
+}
+
 TEST_F(EvaluateEdges, GivesTheSameBytesForAnyNumberOfThreads) {
   EvaluationOptions options{.pixels_per_image = 30, .num_threads = 1};
   const std::string one = ToJson(EvaluateGraspPoints(model_.get(), set_, options), set_);

@@ -29,6 +29,8 @@ TEST(ApplySetting, ReadsEveryKey) {
                                          {"training_share", "0.2"},
                                          {"samples", "123"},
                                          {"training_scales", "1+0.5"},
+                                         {"classifier", "lda"},
+                                         {"region", "object"},
                                          {"bad_per_good", "3"}});
   EXPECT_EQ(settings.features, "edges54");
   EXPECT_EQ(settings.energy, features::Energy::kAbs);
@@ -37,6 +39,8 @@ TEST(ApplySetting, ReadsEveryKey) {
   EXPECT_EQ(settings.training_share, 0.2);
   EXPECT_EQ(settings.samples, 123U);
   EXPECT_THAT(settings.training_scales, ::testing::ElementsAre(1.0, 0.5));
+  EXPECT_EQ(settings.classifier, Classifier::kLda);
+  EXPECT_EQ(settings.region, TestRegion::kObject);
   EXPECT_EQ(settings.bad_per_good, 3.0);
 }
 
@@ -64,6 +68,8 @@ TEST(ApplySetting, NamesKeyValueAndRule) {
   }
   EXPECT_THROWS_MESSAGE(Applied({{"window", "4"}}), Error, HasSubstr("1, 3 or 5"));
   EXPECT_THROWS_MESSAGE(Applied({{"energy", "cube"}}), Error, HasSubstr("square, abs or log"));
+  EXPECT_THROWS_MESSAGE(Applied({{"classifier", "svm"}}), Error, HasSubstr("logistic or lda"));
+  EXPECT_THROWS_MESSAGE(Applied({{"region", "table"}}), Error, HasSubstr("picture or object"));
   EXPECT_THROWS_MESSAGE(Applied({{"features", "few"}}), Error, HasSubstr("few"));
   EXPECT_THROWS_MESSAGE(
       Applied({{"sample", "1"}}),

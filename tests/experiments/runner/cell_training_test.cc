@@ -74,6 +74,17 @@ TEST_F(TrainCellTest, TakesAsManyPixelsOfEachSet) {
             datasets::Fingerprint(sets_[0]) + "+" + datasets::Fingerprint(sets_[1]));
 }
 
+TEST_F(TrainCellTest, TrainsByDiscriminantAnalysis) {
+  settings_.classifier = Classifier::kLda;
+  const CellTraining training = Train();
+  EXPECT_EQ(training.termination, "solved");
+  EXPECT_EQ(MetadataOf(LoadModel(training.model).get(), "hc.training.algorithm"), "lda");
+  EXPECT_LT(training.log_loss, std::numbers::ln2);
+  settings_.features = "edges54,energy=log";
+  settings_.samples = 4;
+  EXPECT_THROWS_MESSAGE(Train(), Error, ::testing::HasSubstr("linear discriminant analysis"));
+}
+
 TEST_F(TrainCellTest, TellsOfAnEndWithoutAnOptimum) {
   settings_.ridge = 0.0;
   settings_.samples = 4;

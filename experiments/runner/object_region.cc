@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/runner/object_region.h"
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "datasets/formats/organised_cloud.h"
+#include "datasets/importers/depth_cloud.h"
+#include "datasets/synthetic/camera_file.h"
+#include "experiments/runner/toml_table.h"
+#include "lib/core/error.h"
+#include "lib/core/file.h"
+#include "lib/perception/image_io.h"
+#include "lib/perception/search_region.h"
+
+namespace handcraft::experiments {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kDepthUnitM = 0.001;  // docs/datasets.md: depth pictures hold millimetres
+constexpr double kFarthestM = 1000.0;
+
+std::vector<double> Numbers(const TomlTable& table, std::string_view key, std::size_t count) {
+  const toml::array* const array = table.Node(key).as_array();
+  if (array == nullptr || array->size() != count) {
+    table.Fail(table.Node(key), std::string(key) + " is no list of its numbers");
+  }
+  std::vector<double> numbers;
+  for (const toml::node& node : *array) {
+    const auto number = node.value<double>();
+    if (!number || !(std::abs(*number) <= kFarthestM)) {
+      table.Fail(node, std::string(key) + " holds what is no number");
+    }
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+Eigen::Isometry3d ReadCameraPose(const fs::path& scene) {
+  const toml::table parsed = ParseToml(ReadTextFile(scene), scene.string());
+  const TomlTable camera = TomlTable(scene.string(), parsed, "").Table("camera");
+  const std::vector<double> p = Numbers(camera, "base_from_camera_position_m", 3);
+  const std::vector<double> q = Numbers(camera, "base_from_camera_quaternion_xyzw", 4);
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = Eigen::Vector3d(p[0], p[1], p[2]);
+  pose.linear() = Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized().toRotationMatrix();
+  return pose;
+}
+
+datasets::OrganisedCloud CloudOf(const datasets::LabelledImageSet& set,
+                                 const datasets::LabelledImage& item) {
+  const std::string cloud = item.Companion(datasets::kCloud);
+  if (!cloud.empty()) return datasets::ReadPcd(set.root / cloud);
+  const std::string depth = item.Companion(datasets::kDepth);
+  const std::string scene = item.Companion(datasets::kScene);
+  if (depth.empty() || scene.empty()) {
+    throw Error({.path = (set.root / item.image).string(),
+                 .reason = "has neither a cloud nor a depth picture with its scene, which the "
+                           "region of the object is found from",
+                 .remedy = "leave out the methods whose region is \"object\""});
+  }
+  const synthetic::PinholeCamera camera =
+      synthetic::ReadCameraFile(set.root / "dataset.toml").camera;
+  return datasets::CloudOfDepth(perception::ReadImage16(set.root / depth),
+                                kDepthUnitM,
+                                {.fx_px = camera.focal_px,
+                                 .fy_px = camera.focal_px,
+                                 .cx_px = camera.centre_u_px,
+                                 .cy_px = camera.centre_v_px},
+                                ReadCameraPose(set.root / scene));
+}
+
+}  // namespace
+
+Image ObjectRegion(const datasets::LabelledImageSet& set, std::size_t item, const Image& picture) {
+  const datasets::OrganisedCloud cloud = CloudOf(set, set.items.at(item));
+  if (cloud.width != picture.width() || cloud.height != picture.height()) {
+    throw Error({.path = (set.root / set.items[item].image).string(),
+                 .reason = "is of another size than its cloud"});
+  }
+  perception::SearchRegionFinder finder({});
+  const perception::SearchRegion region =
+      finder.Find(picture, {cloud.points, cloud.width, cloud.height});
+  if (region.HasRegion()) return region.mask;
+  return Image(picture.width(), picture.height());
+}
+
+}  // namespace handcraft::experiments

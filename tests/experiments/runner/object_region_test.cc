@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/runner/object_region.h"
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "datasets/synthetic/grasp_point_set.h"
+#include "lib/core/error.h"
+#include "lib/perception/image_io.h"
+#include "tests/support/expect_throws_message.h"
+#include "tests/support/temporary_directory.h"
+
+namespace handcraft::experiments {
+namespace {
+
+using ::testing::HasSubstr;
+
+class ObjectRegionTest : public ::testing::Test {
+ protected:
+  [[nodiscard]] Image Find() const {
+    return ObjectRegion(set_, 0, perception::ReadImage(set_.root / set_.items[0].image));
+  }
+
+  testing::TemporaryDirectory folder_;
+  datasets::LabelledImageSet set_ =
+      synthetic::MakeGraspPointSet(folder_ / "made",
+                                   {.num_images = 1,
+                                    .camera = {.width_px = 160,
+                                               .height_px = 120,
+                                               .focal_px = 131.25F,
+                                               .centre_u_px = 79.5F,
+                                               .centre_v_px = 59.5F}});
+};
+
+TEST_F(ObjectRegionTest, LiesMostlyOnTheObject) {
+  const Image region = Find();
+  const Image object =
+      perception::ReadImage(set_.root / set_.items[0].Companion(datasets::kObjectMask));
+  std::size_t inside = 0;
+  std::size_t on_object = 0;
+  for (std::size_t i = 0; i < region.values().size(); ++i) {
+    if (region.values()[i] == 0) continue;
+    ++inside;
+    on_object += object.values()[i] != 0 ? 1 : 0;
+  }
+  ASSERT_GT(inside, 20U);
+  EXPECT_LT(inside, region.values().size() / 4);
+  EXPECT_GT(2 * on_object, inside);
+}
+
+TEST_F(ObjectRegionTest, NamesAPictureWithoutDepth) {
+  set_.items[0].others.clear();
+  EXPECT_THROWS_MESSAGE(
+      Find(), Error, AllOf(HasSubstr(set_.items[0].image), HasSubstr("neither a cloud nor")));
+}
+
+TEST_F(ObjectRegionTest, NamesTheFileThatIsMissing) {
+  const std::string scene = set_.items[0].Companion(datasets::kScene);
+  std::filesystem::remove(set_.root / scene);
+  EXPECT_THROWS_MESSAGE(Find(), Error, HasSubstr(scene));
+}
+
+}  // namespace
+}  // namespace handcraft::experiments
