@@ -10,6 +10,7 @@
 #include <numeric>
 #include <set>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -24,6 +25,31 @@ namespace {
 // The pictures that stay together.
 using Group = std::vector<std::size_t>;
 
+template <class Item>
+const std::string& GroupNameOf(const Item& item, SplitGroup group) {
+  switch (group) {
+    case SplitGroup::kInstance:
+      return item.instance;
+    case SplitGroup::kClass:
+      return item.object_class;
+    case SplitGroup::kPicture:
+      break;
+  }
+  return item.image;
+}
+
+std::string_view GroupsText(SplitGroup group) {
+  switch (group) {
+    case SplitGroup::kInstance:
+      return "instances";
+    case SplitGroup::kClass:
+      return "classes";
+    case SplitGroup::kPicture:
+      break;
+  }
+  return "pictures";
+}
+
 // The groups in the order in which they are given away.
 template <class Set>
 std::vector<Group> OrderGroups(const Set& set, const SplitOptions& options) {
@@ -34,14 +60,12 @@ std::vector<Group> OrderGroups(const Set& set, const SplitOptions& options) {
   });
   std::map<std::string, Group> groups;
   for (const std::size_t i : by_name) {
-    const auto& item = set.items[i];
-    groups[options.group == SplitGroup::kInstance ? item.instance : item.object_class].push_back(i);
+    groups[GroupNameOf(set.items[i], options.group)].push_back(i);
   }
   std::map<std::string, std::vector<Group>> by_class;
   for (auto& [name, group] : groups) {
     const std::string& object_class = set.items[group.front()].object_class;
-    by_class[options.group == SplitGroup::kInstance ? object_class : ""].push_back(
-        std::move(group));
+    by_class[options.group == SplitGroup::kClass ? "" : object_class].push_back(std::move(group));
   }
   std::vector<Group> ordered;
   for (auto& [name, of_class] : by_class) {
@@ -73,10 +97,9 @@ void Divide(Set& set, const SplitOptions& options) {
   }
   for (std::size_t s = 0; s < num_splits; ++s) {
     if (given[s] > 0.0) continue;
-    const bool is_class = options.group == SplitGroup::kClass;
     throw Error({.path = set.root.string(),
                  .reason = fmt::format("too few {} for a share of {}: split '{}' would be empty",
-                                       is_class ? "classes" : "instances",
+                                       GroupsText(options.group),
                                        options.shares[s].share,
                                        options.shares[s].name),
                  .remedy = "name fewer splits, or give this one a greater share"});

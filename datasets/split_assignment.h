@@ -22,6 +22,7 @@ struct SplitShare {
 enum class SplitGroup {
   kInstance,  ///< all pictures of an object: the model is tested on other objects of known classes
   kClass,     ///< all pictures of a class: the model is tested on classes that it has not seen
+  kPicture,   ///< nothing: tested on other pictures of objects seen; no list of files may say so
 };
 
 struct SplitOptions {

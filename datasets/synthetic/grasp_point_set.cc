@@ -152,6 +152,7 @@ std::string ParametersToToml(const GraspPointSetOptions& options,
       NameOf(options.family),
       options.seed,
       num_images);
+  if (options.surroundings == Surroundings::kBare) text += "surroundings = \"bare\"\n";
   if (!catalogue.meshes.empty()) text += fmt::format("meshes = \"{}\"\n", catalogue.fingerprint);
   return text + CameraToToml(options.camera,
                              options.with_right ? std::optional(options.baseline_m) : std::nullopt);
@@ -171,6 +172,7 @@ Scene DrawPlanned(const Plan& plan, const GraspPointSetOptions& options) {
   }
   Rng scene_stream = Rng::Stream(seed, name + " scene", static_cast<std::uint64_t>(plan.number));
   Scene scene = DrawScene(targets, scene_stream);
+  if (options.surroundings == Surroundings::kBare) MakeBare(scene);
   const Eigen::Isometry3f base_from_camera = scene.camera.base_from_camera;
   scene.camera = options.camera;
   scene.camera.base_from_camera = base_from_camera;

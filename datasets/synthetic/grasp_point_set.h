@@ -19,10 +19,17 @@ enum class SetSize {
            ///< 216 of the taught, 240 of the untaught, 144 of those that are regrasped
 };
 
+/// What is seen beside the objects.
+enum class Surroundings {
+  kHousehold,  ///< patterned table, room, sheets, books, cloths, coins
+  kBare,       ///< even colours and shadows alone (MakeBare)
+};
+
 /// What is made. Every picture depends on seed, class and its number within the class alone, so a
 /// larger set begins with the smaller one.
 struct GraspPointSetOptions {
   Family family = Family::kTrained;
+  Surroundings surroundings = Surroundings::kHousehold;
   SetSize size = SetSize::kSmall;
   int num_images = 0;  ///< spread evenly over the classes instead; 0: as `size` says
   /// A folder of meshes with a meshes.toml; empty: none. Every third instance of a class, from the

@@ -92,4 +92,18 @@ Scene DrawScene(std::span<const Object> targets, Rng& rng) {
   return scene;
 }
 
+void MakeBare(Scene& scene) {
+  // DrawScene puts the room first, then the targets.
+  const auto is_target = [](const PlacedObject& placed) { return placed.is_target; };
+  const auto first = std::find_if(scene.objects.begin(), scene.objects.end(), is_target);
+  scene.objects.erase(
+      std::remove_if(
+          first, scene.objects.end(), [&](const auto& placed) { return !is_target(placed); }),
+      scene.objects.end());
+  for (PlacedObject& placed : scene.objects) {
+    if (placed.is_target) continue;
+    for (Material& material : placed.object.materials) material.pattern = Pattern::kPlain;
+  }
+}
+
 }  // namespace handcraft::synthetic

@@ -41,4 +41,8 @@ struct Scene {
 /// do not touch each other. Same state of the generator, same scene.
 [[nodiscard]] Scene DrawScene(std::span<const Object> targets, Rng& rng);
 
+/// Takes away what lies about the targets, and every pattern of table, floor and walls: what is
+/// left to be seen beside the targets is even colour, shadows and the table's edge.
+void MakeBare(Scene& scene);
+
 }  // namespace handcraft::synthetic

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -19,19 +20,20 @@
 namespace handcraft::experiments {
 namespace {
 
-// The probabilities inside a region, 0 outside.
-FloatImage Inside(const FloatImage& probabilities, const Image& region) {
-  HC_CHECK(region.width() == probabilities.width() && region.height() == probabilities.height() &&
-               region.channels() == 1,
-           region.width(),
-           region.height());
-  FloatImage inside = probabilities;
-  for (int v = 0; v < inside.height(); ++v) {
-    for (int u = 0; u < inside.width(); ++u) {
-      if (region.At(u, v) == 0) inside.At(u, v) = 0.0F;
-    }
-  }
-  return inside;
+// Scores region R alone, the others get 0, and keeps what the search came to.
+FloatImage ScoreRegion(const hc_model* model,
+                       const Image& picture,
+                       const std::string& path,
+                       const perception::SearchRegion& region,
+                       ImageScore& score) {
+  SearchOutcome& search = score.search.emplace(
+      SearchOutcome{.has_region = region.HasRegion(), .stages = region.stages});
+  score.score_ms = 0.0;
+  if (!search.has_region) return {picture.width(), picture.height()};
+  RuntimeScores scores = ScoreWithRuntime(model, picture, path, &region.mask);
+  score.score_ms = scores.score_ms;
+  search.stages.push_back({"scored", search.stages.back().num_pixels, scores.score_ms});
+  return std::move(scores.probabilities);
 }
 
 ImageScore ScoreItem(const hc_model* model,
@@ -40,14 +42,16 @@ ImageScore ScoreItem(const hc_model* model,
                      const EvaluationOptions& options) {
   const datasets::LabelledPicture picture = datasets::ReadLabelledPicture(set, item);
   const std::string& name = set.items[item].image;
-  const RuntimeScores scores = ScoreWithRuntime(model, picture.image, (set.root / name).string());
+  const std::string path = (set.root / name).string();
+  const RuntimeScores scores = ScoreWithRuntime(model, picture.image, path);
   ImageScore score;
   score.item = item;
   score.score_ms = scores.score_ms;
-  const FloatImage candidates =
-      options.region ? Inside(scores.probabilities, options.region(item, picture.image))
-                     : scores.probabilities;
-  for (const hc_point& point : FindBestPixels(candidates,
+  FloatImage in_region;
+  if (options.region) {
+    in_region = ScoreRegion(model, picture.image, path, options.region(item, picture.image), score);
+  }
+  for (const hc_point& point : FindBestPixels(options.region ? in_region : scores.probabilities,
                                               options.best_pixels,
                                               options.best_min_probability,
                                               options.suppression_radius_px)) {

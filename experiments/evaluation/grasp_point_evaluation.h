@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "experiments/metrics/precision_recall.h"
 #include "lib/core/image.h"
 #include "lib/core/progress.h"
+#include "lib/perception/search_region.h"
 #include "lib/runtime/handcraft_runtime.h"
 
 namespace handcraft::experiments {
@@ -29,10 +31,9 @@ struct EvaluationOptions {
   std::uint64_t seed = 1;
   int num_threads = 1;
   Progress progress = {};
-  /// Where best pixels are looked for, a picture of the picture's size: not where it is 0. Empty:
-  /// everywhere. `item` is the index into the set. Called from several threads at once. Labelled
-  /// pixels are scored everywhere all the same.
-  std::function<Image(std::size_t item, const Image& picture)> region = {};
+  /// Region R that best pixels are looked for in; empty: everywhere. `item` is the index into the
+  /// set. Called from several threads at once. Labelled pixels are scored everywhere all the same.
+  std::function<perception::SearchRegion(std::size_t item, const Image& picture)> region = {};
   void Validate() const;
 };
 
@@ -43,13 +44,20 @@ struct BestPixel {
   std::uint8_t mask_value = 0;
 };
 
+/// What search-space reduction came to on an image.
+struct SearchOutcome {
+  bool has_region = false;
+  std::vector<perception::SearchStage> stages;  ///< SearchRegion.stages, then "scored"
+};
+
 /// One image, scored by the runtime.
 struct ImageScore {
   std::size_t item = 0;              ///< index into the set
   std::vector<BestPixel> best;       ///< up to best_pixels, best first
   std::vector<float> probabilities;  ///< of the drawn labelled pixels
   std::vector<std::uint8_t> labels;
-  double score_ms = 0.0;
+  double score_ms = 0.0;                     ///< of all pixels, or of those of the region
+  std::optional<SearchOutcome> search = {};  ///< with EvaluationOptions.region
 };
 
 /// Figures over a group of images (a class, or all).

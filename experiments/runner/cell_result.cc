@@ -73,6 +73,13 @@ Json ToJson(const CellResult& result) {
     VisitImageColumns(image, WriteInto(entry));
     json["images"].push_back(std::move(entry));
   }
+  json["num_images_without_region"] = result.search_space.num_images_without_region;
+  json["search_stages"] = Json::array();
+  for (const SearchStageFigures& stage : result.search_space.stages) {
+    Json entry = {{"stage", stage.stage}};
+    VisitStageColumns(stage, WriteInto(entry));
+    json["search_stages"].push_back(std::move(entry));
+  }
   return json;
 }
 
@@ -90,6 +97,12 @@ CellResult FromJson(const Json& json) {
     VisitImageColumns(image, ReadFrom(entry));
     result.images.push_back(std::move(image));
   }
+  ReadNumber(json.at("num_images_without_region"), result.search_space.num_images_without_region);
+  for (const Json& entry : json.at("search_stages")) {
+    SearchStageFigures stage{.stage = entry.at("stage")};
+    VisitStageColumns(stage, ReadFrom(entry));
+    result.search_space.stages.push_back(std::move(stage));
+  }
   return result;
 }
 
@@ -106,6 +119,7 @@ CellResult MakeCellResult(const std::string& id,
                     .termination = training.termination,
                     .training_log_loss = training.log_loss,
                     .groups = evaluation.classes,
+                    .search_space = SearchSpaceOf(evaluation.images),
                     .features_time_s = training.features_time_s,
                     .training_time_s = training.training_time_s,
                     .score_time_ms = MedianScoreMs(evaluation.images)};

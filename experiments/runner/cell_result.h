@@ -12,6 +12,7 @@
 #include "experiments/evaluation/grasp_point_evaluation.h"
 #include "experiments/evaluation/grasp_point_figures.h"
 #include "experiments/runner/cell_training.h"
+#include "experiments/runner/search_space_figures.h"
 
 namespace handcraft::experiments {
 
@@ -36,6 +37,7 @@ struct CellResult {
   double training_log_loss = 0.0;
   std::vector<GroupFigures> groups = {};  ///< the classes by name, then "all"
   std::vector<ImageFigures> images = {};  ///< in the order of the set
+  SearchSpaceFigures search_space = {};
   double features_time_s = 0.0;
   double training_time_s = 0.0;
   double score_time_ms = 0.0;  ///< median of a picture

@@ -12,13 +12,12 @@
 #include <Eigen/Geometry>
 
 #include "datasets/formats/organised_cloud.h"
+#include "datasets/formats/toml_file.h"
 #include "datasets/importers/depth_cloud.h"
 #include "datasets/synthetic/camera_file.h"
 #include "experiments/runner/toml_table.h"
 #include "lib/core/error.h"
-#include "lib/core/file.h"
 #include "lib/perception/image_io.h"
-#include "lib/perception/search_region.h"
 
 namespace handcraft::experiments {
 namespace {
@@ -45,7 +44,7 @@ std::vector<double> Numbers(const TomlTable& table, std::string_view key, std::s
 }
 
 Eigen::Isometry3d ReadCameraPose(const fs::path& scene) {
-  const toml::table parsed = ParseToml(ReadTextFile(scene), scene.string());
+  const toml::table parsed = datasets::ReadTomlFile(scene);
   const TomlTable camera = TomlTable(scene.string(), parsed, "").Table("camera");
   const std::vector<double> p = Numbers(camera, "base_from_camera_position_m", 3);
   const std::vector<double> q = Numbers(camera, "base_from_camera_quaternion_xyzw", 4);
@@ -80,17 +79,16 @@ datasets::OrganisedCloud CloudOf(const datasets::LabelledImageSet& set,
 
 }  // namespace
 
-Image ObjectRegion(const datasets::LabelledImageSet& set, std::size_t item, const Image& picture) {
+perception::SearchRegion FindObjectRegion(const datasets::LabelledImageSet& set,
+                                          std::size_t item,
+                                          const Image& picture) {
   const datasets::OrganisedCloud cloud = CloudOf(set, set.items.at(item));
   if (cloud.width != picture.width() || cloud.height != picture.height()) {
     throw Error({.path = (set.root / set.items[item].image).string(),
                  .reason = "is of another size than its cloud"});
   }
   perception::SearchRegionFinder finder({});
-  const perception::SearchRegion region =
-      finder.Find(picture, {cloud.points, cloud.width, cloud.height});
-  if (region.HasRegion()) return region.mask;
-  return Image(picture.width(), picture.height());
+  return finder.Find(picture, {cloud.points, cloud.width, cloud.height});
 }
 
 }  // namespace handcraft::experiments

@@ -57,6 +57,13 @@ void VisitTimeColumns(Result& result, const Visit& visit) {
   visit("score_time_ms", result.score_time_ms);
 }
 
+/// The same for a stage of search-space reduction, the columns of search_space.csv.
+template <class Stage, class Visit>
+void VisitStageColumns(Stage& stage, const Visit& visit) {
+  visit("num_pixels", stage.num_pixels);
+  visit("time_ms", stage.time_ms);
+}
+
 /// The same for a picture.
 template <class Figures, class Visit>
 void VisitImageColumns(Figures& figures, const Visit& visit) {

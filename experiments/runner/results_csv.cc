@@ -60,6 +60,23 @@ std::string ResultsCsv(std::span<const Cell> cells, std::span<const CellResult> 
   return text;
 }
 
+std::string SearchSpaceCsv(std::span<const CellResult> results) {
+  std::string text = "cell,num_images_without_region,stage";
+  const SearchStageFigures empty;
+  VisitStageColumns(empty, AppendName(text));
+  text += "\n";
+  for (const CellResult& result : results) {
+    for (const SearchStageFigures& stage : result.search_space.stages) {
+      std::string line = datasets::CsvField(result.id) + "," +
+                         NumberToText(result.search_space.num_images_without_region) + "," +
+                         stage.stage;
+      VisitStageColumns(stage, AppendNumber(line));
+      text += line + "\n";
+    }
+  }
+  return text;
+}
+
 std::string TimesCsv(std::span<const CellResult> results) {
   std::string text = "cell";
   const CellResult empty;

@@ -17,6 +17,10 @@ namespace handcraft::experiments {
 [[nodiscard]] std::string ResultsCsv(std::span<const Cell> cells,
                                      std::span<const CellResult> results);
 
+/// search_space.csv: a row a stage of search-space reduction, for cells whose region is the object;
+/// pixels and times are means over pictures.
+[[nodiscard]] std::string SearchSpaceCsv(std::span<const CellResult> results);
+
 /// times.csv: a row a cell.
 [[nodiscard]] std::string TimesCsv(std::span<const CellResult> results);
 

@@ -15,6 +15,8 @@ std::string_view NameOf(StudySplit split) {
       return "instance";
     case StudySplit::kClass:
       return "class";
+    case StudySplit::kPicture:
+      return "picture";
     case StudySplit::kManifest:
       break;
   }

@@ -25,6 +25,7 @@ struct DataSource {
 enum class StudySplit {
   kInstance,  ///< all pictures of an object
   kClass,     ///< all pictures of a class
+  kPicture,   ///< nothing
   kManifest,  ///< the splits "train" and "test" of the manifest
 };
 

@@ -33,6 +33,19 @@ datasets::LabelledImageSet Provide(const DataSource& source,
                                        .progress = progress});
 }
 
+datasets::SplitGroup GroupOf(StudySplit split) {
+  switch (split) {
+    case StudySplit::kClass:
+      return datasets::SplitGroup::kClass;
+    case StudySplit::kPicture:
+      return datasets::SplitGroup::kPicture;
+    case StudySplit::kInstance:
+    case StudySplit::kManifest:
+      break;
+  }
+  return datasets::SplitGroup::kInstance;
+}
+
 // The pictures with their new splits; all to train on when the share is 1.
 datasets::LabelledImageSet Divide(const Study& study,
                                   const datasets::LabelledImageSet& whole,
@@ -43,12 +56,10 @@ datasets::LabelledImageSet Divide(const Study& study,
     for (datasets::LabelledImage& item : set.items) item.split = kTrain;
     return set;
   }
-  datasets::AssignSplits(
-      set,
-      {.shares = {{kTrain, share}, {kTest, 1.0 - share}},
-       .group = study.split == StudySplit::kClass ? datasets::SplitGroup::kClass
-                                                  : datasets::SplitGroup::kInstance,
-       .seed = cell.seed});
+  datasets::AssignSplits(set,
+                         {.shares = {{kTrain, share}, {kTest, 1.0 - share}},
+                          .group = GroupOf(study.split),
+                          .seed = cell.seed});
   return set;
 }
 

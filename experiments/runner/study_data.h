@@ -41,10 +41,10 @@ struct CellData {
   datasets::LabelledImageSet test;
 };
 
-/// Divides the pictures for a cell: by instance or class, training_share of them to train on and
-/// the rest to test with (AssignSplits with the cell's seed); or by the manifest's splits "train"
-/// (of whose instances training_share is taken later, by sampling) and "test". When there are other
-/// pictures to test with, they are all used. Throws Error when a side would be empty.
+/// Divides the pictures for a cell: by instance, class or picture, training_share of them to train
+/// on and the rest to test with (AssignSplits with the cell's seed); or by the manifest's splits
+/// "train" (of whose instances training_share is taken later, by sampling) and "test". When there
+/// are other pictures to test with, they are all used. Throws Error when a side would be empty.
 [[nodiscard]] CellData DivideForCell(const Study& study, const StudyData& data, const Cell& cell);
 
 }  // namespace handcraft::experiments

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
+#include <utility>
 
 #include "experiments/evaluation/loaded_model.h"
 #include "experiments/evaluation/report_pictures.h"
 #include "experiments/evaluation/runtime_scoring.h"
+#include "experiments/runner/object_region.h"
 #include "lib/perception/overlay.h"
 
 namespace handcraft::experiments {
@@ -36,14 +38,34 @@ std::vector<std::string> SharedImages(const StudyRun& run, const StudySummary& s
   return {shared.begin(), shared.end()};
 }
 
+// A picture to test with, and where it comes from.
+struct TestPicture {
+  const datasets::LabelledImageSet& set;
+  std::size_t index;
+  Image image;
+};
+
+// Scored where the cell looks for best pixels.
+RuntimeScores ScoreExample(const hc_model* model,
+                           const CellSettings& settings,
+                           const TestPicture& picture) {
+  const std::string& name = picture.set.items[picture.index].image;
+  if (settings.region == TestRegion::kPicture) {
+    return ScoreWithRuntime(model, picture.image, name);
+  }
+  const perception::SearchRegion region =
+      FindObjectRegion(picture.set, picture.index, picture.image);
+  const Image nowhere(picture.image.width(), picture.image.height());
+  return ScoreWithRuntime(model, picture.image, name, region.HasRegion() ? &region.mask : &nowhere);
+}
+
 ExampleOverlay MakeOverlay(const StudyRun& run,
                            const SeriesSummary& series,
                            const std::filesystem::path& out,
-                           const Image& image,
-                           const std::string& name) {
+                           const TestPicture& picture) {
   const std::size_t cell = series.cells.front();
   const LoadedModel model = LoadModel(ModelFileOf(out, run.cells[cell]));
-  const RuntimeScores scores = ScoreWithRuntime(model.get(), image, name);
+  const RuntimeScores scores = ScoreExample(model.get(), run.cells[cell].settings, picture);
   const EvaluationOptions options;
   std::vector<perception::MarkedPoint> points;
   for (const hc_point& point :
@@ -53,10 +75,10 @@ ExampleOverlay MakeOverlay(const StudyRun& run,
   ExampleOverlay overlay{
       .label = series.label,
       .best = {},
-      .jpeg =
-          EncodeJpeg(perception::DrawGraspPoints(image, scores.probabilities, points), kWidthPx)};
+      .jpeg = EncodeJpeg(perception::DrawGraspPoints(picture.image, scores.probabilities, points),
+                         kWidthPx)};
   for (const ImageFigures& figures : run.results[cell].images) {
-    if (figures.image == name) overlay.best = figures.best;
+    if (figures.image == picture.set.items[picture.index].image) overlay.best = figures.best;
   }
   return overlay;
 }
@@ -76,14 +98,15 @@ std::vector<Example> MakeExamples(const StudyRun& run,
     const auto item = std::find_if(
         set.items.begin(), set.items.end(), [&](const auto& each) { return each.image == name; });
     const auto index = static_cast<std::size_t>(item - set.items.begin());
-    const datasets::LabelledPicture picture = datasets::ReadLabelledPicture(set, index);
-    Example example{
-        .image = name,
-        .object_class = set.items[index].object_class,
-        .labels_jpeg = EncodeJpeg(perception::DrawLabelMask(picture.image, picture.mask), kWidthPx),
-        .overlays = {}};
+    datasets::LabelledPicture labelled = datasets::ReadLabelledPicture(set, index);
+    Example example{.image = name,
+                    .object_class = set.items[index].object_class,
+                    .labels_jpeg = EncodeJpeg(
+                        perception::DrawLabelMask(labelled.image, labelled.mask), kWidthPx),
+                    .overlays = {}};
+    const TestPicture picture{.set = set, .index = index, .image = std::move(labelled.image)};
     for (const SeriesSummary& series : summary.series) {
-      example.overlays.push_back(MakeOverlay(run, series, out, picture.image, name));
+      example.overlays.push_back(MakeOverlay(run, series, out, picture));
     }
     examples.push_back(std::move(example));
   }

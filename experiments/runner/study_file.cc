@@ -132,8 +132,11 @@ StudySplit ParseSplit(const TomlTable& top) {
   const std::string name = top.Text("split");
   if (name == "instance") return StudySplit::kInstance;
   if (name == "class") return StudySplit::kClass;
+  if (name == "picture") return StudySplit::kPicture;
   if (name == "manifest") return StudySplit::kManifest;
-  top.Fail(top.Node("split"), "split is \"" + name + "\"", "give one of instance, class, manifest");
+  top.Fail(top.Node("split"),
+           "split is \"" + name + "\"",
+           "give one of instance, class, picture, manifest");
 }
 
 void ParseEvaluation(const TomlTable& top, StudySize size, Study& study) {

@@ -123,6 +123,37 @@ std::string ConfusionsText(const StudySummary& summary) {
          cards + "</div>\n";
 }
 
+std::string StageRows(const SeriesSummary& series) {
+  constexpr const char* kRow =
+      "<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"number\">{}</td>"
+      "<td class=\"number\">{}</td></tr>\n";
+  const std::string label = EscapeHtml(series.label);
+  std::string rows;
+  for (const SearchStageFigures& stage : series.search_space.stages) {
+    rows += fmt::format(fmt::runtime(kRow),
+                        label,
+                        stage.stage,
+                        DecimalText(stage.num_pixels, 0),
+                        DecimalText(stage.time_ms, 2));
+  }
+  if (const std::size_t none = series.search_space.num_images_without_region; none > 0) {
+    rows += fmt::format(fmt::runtime(kRow), label, "pictures without a region", none, "");
+  }
+  return rows;
+}
+
+std::string SearchSpaceText(const StudySummary& summary) {
+  std::string rows;
+  for (const SeriesSummary& series : summary.series) rows += StageRows(series);
+  if (rows.empty()) return {};
+  return "<h2>Search space</h2>\n<p class=\"note\">What each stage of search-space reduction left "
+         "of a picture, and how long it took; means over pictures.</p>\n<div class=\"scroll\">"
+         "<table><thead><tr><th scope=\"col\">method</th><th scope=\"col\">left after</th>"
+         "<th scope=\"col\" class=\"number\">pixels</th><th scope=\"col\" class=\"number\">time "
+         "[ms]</th></tr></thead>\n<tbody>\n" +
+         rows + "</tbody></table></div>\n";
+}
+
 std::string ExampleText(const Example& example) {
   std::string cards = fmt::format(
       "<figure class=\"card\"><img class=\"overlay\" alt=\"Labels of {0}\" src=\"{1}\">"
@@ -182,7 +213,8 @@ std::string MakeStudyPage(const StudyRun& run,
   return MakeHtmlPage(run.study.title,
                       HeaderText(run, summary) + ByClassText(summary) + FiguresText(figures) +
                           DifferencesText(run.study, summary) + ConfusionsText(summary) +
-                          ExamplesText(examples) + FooterText(run, summary));
+                          SearchSpaceText(summary) + ExamplesText(examples) +
+                          FooterText(run, summary));
 }
 
 }  // namespace handcraft::experiments

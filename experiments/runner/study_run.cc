@@ -42,7 +42,7 @@ CellResult WorkOut(const Study& study,
                             .num_threads = num_threads};
   if (cell.settings.region == TestRegion::kObject) {
     options.region = [&divided](std::size_t item, const Image& picture) {
-      return ObjectRegion(divided.test, item, picture);
+      return FindObjectRegion(divided.test, item, picture);
     };
   }
   const GraspPointEvaluation evaluation = EvaluateGraspPoints(model.get(), divided.test, options);
@@ -116,6 +116,13 @@ StudyRun RunStudy(const Study& study, const StudyRunOptions& options) {
   }
   WriteFileAtomically(options.out / "results.csv", ResultsCsv(run.cells, run.results));
   WriteFileAtomically(options.out / "times.csv", TimesCsv(run.results));
+  const bool has_regions =
+      std::any_of(run.results.begin(), run.results.end(), [](const CellResult& result) {
+        return !result.search_space.stages.empty();
+      });
+  if (has_regions) {
+    WriteFileAtomically(options.out / "search_space.csv", SearchSpaceCsv(run.results));
+  }
   return run;
 }
 

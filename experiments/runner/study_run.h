@@ -39,7 +39,8 @@ struct StudyRun {
 /// Works out every cell: trains it, scores the pictures to test with by the runtime, forms the
 /// figures. Cells are worked out in parallel; each finished one is a file below OUT/cells, so that
 /// a run that was stopped at any moment is gone on with. OUT/inputs pins study, data and version:
-/// a run with another of them is refused, by name. Writes results.csv and times.csv at the end.
+/// a run with another of them is refused, by name. Writes results.csv and times.csv at the end,
+/// and search_space.csv when a cell looks in the region of the object.
 /// Same study and data, same bytes but for the times, however often it was stopped and for any
 /// number of threads. Throws Error.
 [[nodiscard]] StudyRun RunStudy(const Study& study, const StudyRunOptions& options);

@@ -68,11 +68,14 @@ const SeriesSummary& BaselineOf(const StudyRun& run,
 
 void AddWholeFigures(const StudyRun& run, SeriesSummary& series) {
   double sum = 0.0;
+  std::vector<SearchSpaceFigures> search_spaces;
   for (const std::size_t i : series.cells) {
     const GroupFigures& all = run.results[i].groups.back();
     sum += all.auc.value;
     series.confusion += all.confusion;
+    search_spaces.push_back(run.results[i].search_space);
   }
+  series.search_space = Pooled(search_spaces);
   series.auc = sum / static_cast<double>(series.cells.size());
 }
 

@@ -26,6 +26,7 @@ struct SeriesSummary {
   std::vector<ClassSummary> by_class = {};  ///< as StudySummary.classes, all at the end
   double auc = 0.0;                         ///< over all pictures, mean over repetitions
   ConfusionMatrix confusion = {};           ///< of all repetitions together
+  SearchSpaceFigures search_space = {};     ///< without stages where there is no region
 };
 
 /// Whether a publication's claim holds on these data.

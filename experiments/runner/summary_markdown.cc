@@ -102,6 +102,24 @@ std::string ClassifierText(const StudyRun& run, const StudySummary& summary) {
   return text;
 }
 
+std::string SearchSpaceText(const StudySummary& summary) {
+  std::string rows;
+  for (const SeriesSummary& series : summary.series) {
+    for (const SearchStageFigures& stage : series.search_space.stages) {
+      rows += Row({series.label,
+                   stage.stage,
+                   DecimalText(stage.num_pixels, 0),
+                   DecimalText(stage.time_ms, 2)});
+    }
+    if (const std::size_t none = series.search_space.num_images_without_region; none > 0) {
+      rows += Row({series.label, "pictures without a region", std::to_string(none), ""});
+    }
+  }
+  if (rows.empty()) return {};
+  return "\n## Search space\n\nMeans over pictures.\n\n" +
+         Head({"method", "left after", "pixels", "time [ms]"}) + rows;
+}
+
 std::string InputsText(const StudyRun& run) {
   std::string text = fmt::format(
       "- pictures to train on: {} ({})\n", run.data.train.items.size(), run.data.train_fingerprint);
@@ -158,6 +176,7 @@ std::string SummaryMarkdown(const StudyRun& run, const StudySummary& summary) {
   const std::string verdict = VerdictText(study, summary);
   if (!verdict.empty()) text += "\n" + verdict + "\n";
   text += "\n## Labelled pixels\n\n" + ClassifierText(run, summary);
+  text += SearchSpaceText(summary);
   if (!summary.warnings.empty()) {
     text += fmt::format("\n## Warnings\n\n- {}\n", fmt::join(summary.warnings, "\n- "));
   }

@@ -26,6 +26,19 @@ bool IsNearAny(const std::vector<Plane>& planes, const Eigen::Vector3f& point, f
   });
 }
 
+// What stands on a support lies above one of them, and near none; without any, everything may stay.
+bool MayStandOnOne(const std::vector<Plane>& planes,
+                   const Eigen::Vector3f& point,
+                   float epsilon_m) {
+  bool is_above = planes.empty();
+  for (const Plane& plane : planes) {
+    const float distance_m = plane.Distance(point);
+    if (std::abs(distance_m) < epsilon_m) return false;
+    is_above = is_above || distance_m > 0.0F;
+  }
+  return is_above;
+}
+
 // Every n-th pixel of every n-th row: so many measured points that the whole cloud need not be
 // looked at for each plane.
 PixelPoints SampleOf(const CloudView& cloud, int max_samples) {
@@ -195,7 +208,7 @@ std::size_t TakePointsOffPlanes(const CloudView& cloud,
   for (const Eigen::Vector3f& point : cloud.points) {
     if (IsMeasured(point)) {
       ++num_measured;
-      if (!IsNearAny(planes, point, epsilon_m)) rest.Add(point, pixel);
+      if (MayStandOnOne(planes, point, epsilon_m)) rest.Add(point, pixel);
     }
     ++pixel;
   }

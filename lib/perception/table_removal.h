@@ -75,9 +75,10 @@ struct TablePlanes {
 /// maps for household environments", 2008.
 [[nodiscard]] TablePlanes FindTable(const CloudView& cloud, const TableRemovalOptions& options);
 
-/// Puts the measured points that lie at least epsilon_m from every plane into `rest`, in the order
-/// of their pixels, and returns how many were measured. One pass; allocates only where `rest` is
-/// too small.
+/// Puts the measured points that lie at least epsilon_m from every plane and on the normal's side
+/// of one of them into `rest`, in the order of their pixels, and returns how many were measured:
+/// what is below every support, as a floor beyond the table's edge, stands on none. All stay where
+/// there are no planes. One pass; allocates only where `rest` is too small.
 std::size_t TakePointsOffPlanes(const CloudView& cloud,
                                 const std::vector<Plane>& planes,
                                 float epsilon_m,

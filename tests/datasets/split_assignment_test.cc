@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -127,6 +128,16 @@ TEST(AssignSplits, KeepsClassesWholeWhenAsked) {
     in_test += counts.count("test") > 0 ? 1 : 0;
   }
   EXPECT_EQ(in_test, 3);
+}
+
+TEST(AssignSplits, DividesTheObjectsPicturesWhenAsked) {
+  LabelledImageSet set = MakeSet(3, 4, 10);
+  AssignSplits(set, {.shares = {{"train", 0.2}, {"test", 0.8}}, .group = SplitGroup::kPicture});
+  for (const auto& [name, counts] : CountByClass(set)) EXPECT_EQ(counts.at("train"), 8) << name;
+  std::map<std::string, std::set<std::string>> splits;
+  for (const LabelledImage& item : set.items) splits[item.instance].insert(item.split);
+  EXPECT_TRUE(std::any_of(
+      splits.begin(), splits.end(), [](const auto& entry) { return entry.second.size() == 2; }));
 }
 
 TEST(AssignSplits, TakesAnInstanceOfTwoClassesForOne) {

@@ -18,11 +18,13 @@ namespace handcraft::tools {
 namespace {
 
 using synthetic::SetSize;
+using synthetic::Surroundings;
 
 struct DataSynthOptions {
   std::string out;
   std::string size = "small";
   std::string family = "trained";
+  std::string surroundings = "household";
   std::string meshes;
   std::string camera;
   synthetic::GraspPointSetOptions set;
@@ -34,6 +36,8 @@ void RunGraspPoints(const DataSynthOptions& options, const Console& console) {
   set_options.size = options.size == "full" ? SetSize::kFull : SetSize::kSmall;
   set_options.meshes = options.meshes;
   set_options.family = synthetic::FamilyNamed(options.family);
+  set_options.surroundings =
+      options.surroundings == "bare" ? Surroundings::kBare : Surroundings::kHousehold;
   ApplyCameraFile(options.camera, set_options.camera, set_options.baseline_m);
   ProgressBar bar(console);
   set_options.progress = bar.Callback();
@@ -75,6 +79,12 @@ void AddDataSynthGraspPoints(CLI::App& parent, const Console& console) {
                    "trained: nine classes to train on; novel: six others to test with; taught, "
                    "untaught, regrasp: six, eight and four kinds that a whole hand closes around")
       ->check(CLI::IsMember({"trained", "novel", "taught", "untaught", "regrasp"}))
+      ->capture_default_str();
+  command
+      ->add_option("--surroundings",
+                   options->surroundings,
+                   "household: patterned table, sheets, books, cloths; bare: even colours alone")
+      ->check(CLI::IsMember({"household", "bare"}))
       ->capture_default_str();
   command
       ->add_option("--meshes",

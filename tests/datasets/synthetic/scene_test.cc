@@ -60,6 +60,27 @@ TEST(DrawScene, LightsFromAboveAndLooksDown) {
   }
 }
 
+TEST(MakeBare, LeavesTargetsAndAPlainRoom) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Rng rng = Rng::Stream(seed, "bare");
+    const std::vector<Object> targets(2, ClassesOf(Family::kTrained)[seed % 9].draw(rng));
+    Scene scene = DrawScene(targets, rng);
+    const Scene before = scene;
+    MakeBare(scene);
+    ASSERT_EQ(scene.objects.size(), 6U + 2U) << "table, floor, four walls and the targets";
+    for (const PlacedObject& placed : scene.objects) {
+      if (placed.is_target) continue;
+      for (const Material& material : placed.object.materials) {
+        EXPECT_EQ(material.pattern, Pattern::kPlain);
+      }
+    }
+    EXPECT_EQ(scene.objects[7].object.materials.size(), targets[1].materials.size());
+    EXPECT_TRUE(
+        scene.objects[7].base_from_object.isApprox(before.objects[7].base_from_object, 0.0F));
+    EXPECT_EQ(scene.light.centre_m, before.light.centre_m);
+  }
+}
+
 TEST(DrawScene, DependsOnItsStreamAlone) {
   Rng rng = Rng::Stream(1, "object");
   const Object object = ClassesOf(Family::kTrained)[0].draw(rng);

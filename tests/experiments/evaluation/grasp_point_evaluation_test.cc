@@ -76,14 +76,23 @@ TEST_F(EvaluateEdges, CountsFewerBestPixelsAndSuppressesNeighboursWhenAsked) {
 
 TEST_F(EvaluateEdges, LooksForBestPixelsInsideTheRegionAlone) {
   EvaluationOptions options;
-  options.region = [](std::size_t, const Image& picture) {
-    Image region(picture.width(), picture.height());
-    for (int u = 0; u < region.width(); ++u) region.At(u, 3) = 255;
+  options.region = [](std::size_t item, const Image& picture) {
+    perception::SearchRegion region;
+    region.stages = {{.name = "picture", .num_pixels = 100}, {.name = "region", .num_pixels = 9}};
+    region.mask = Image(picture.width(), picture.height());
+    for (int u = 0; u < region.mask.width(); ++u) region.mask.At(u, 3) = 255;
+    region.state = item == 1 ? perception::SearchState::kNoEdges : perception::SearchState::kFound;
     return region;
   };
   const GraspPointEvaluation evaluation = EvaluateGraspPoints(model_.get(), set_, options);
   ASSERT_EQ(evaluation.images[0].best.size(), 2U);  // of the edge, two pixels of a row
   EXPECT_EQ(evaluation.images[0].best[0].v_px, 3);
+  ASSERT_TRUE(evaluation.images[0].search);
+  EXPECT_EQ(evaluation.images[0].search->stages.back().name, "scored");
+  EXPECT_EQ(evaluation.images[0].search->stages.back().num_pixels, 9U);
+  EXPECT_TRUE(evaluation.images[1].best.empty());
+  ASSERT_TRUE(evaluation.images[1].search);
+  EXPECT_FALSE(evaluation.images[1].search->has_region);
   EXPECT_EQ(evaluation.all.auc.value, EvaluateGraspPoints(model_.get(), set_, {}).all.auc.value);
 }
 

@@ -66,6 +66,10 @@ TEST(ReadCellResult, GivesBackWhatWasWritten) {
   ASSERT_EQ(read.images.size(), 2U);
   EXPECT_EQ(read.images[0].best.good, 12U);
   EXPECT_EQ(read.images[0].log_loss_sum, 1.0 / 3.0);
+  EXPECT_EQ(read.search_space.num_images_without_region, 1U);
+  ASSERT_EQ(read.search_space.stages.size(), 2U);
+  EXPECT_EQ(read.search_space.stages[1].stage, "region");
+  EXPECT_EQ(read.search_space.stages[1].num_pixels, 12.5);
   WriteCellResult(folder / "again.json", read);
   EXPECT_EQ(ReadTextFile(folder / "again.json"), ReadTextFile(folder / "cell.json"));
 }

@@ -21,23 +21,23 @@ using ::testing::HasSubstr;
 
 class ObjectRegionTest : public ::testing::Test {
  protected:
-  [[nodiscard]] Image Find() const {
-    return ObjectRegion(set_, 0, perception::ReadImage(set_.root / set_.items[0].image));
+  [[nodiscard]] perception::SearchRegion Find() const {
+    return FindObjectRegion(set_, 0, perception::ReadImage(set_.root / set_.items[0].image));
   }
 
   testing::TemporaryDirectory folder_;
   datasets::LabelledImageSet set_ =
       synthetic::MakeGraspPointSet(folder_ / "made",
                                    {.num_images = 1,
-                                    .camera = {.width_px = 160,
-                                               .height_px = 120,
-                                               .focal_px = 131.25F,
-                                               .centre_u_px = 79.5F,
-                                               .centre_v_px = 59.5F}});
+                                    .camera = {.width_px = 320,
+                                               .height_px = 240,
+                                               .focal_px = 262.5F,
+                                               .centre_u_px = 159.5F,
+                                               .centre_v_px = 119.5F}});
 };
 
 TEST_F(ObjectRegionTest, LiesMostlyOnTheObject) {
-  const Image region = Find();
+  const Image region = Find().mask;
   const Image object =
       perception::ReadImage(set_.root / set_.items[0].Companion(datasets::kObjectMask));
   std::size_t inside = 0;
@@ -54,14 +54,15 @@ TEST_F(ObjectRegionTest, LiesMostlyOnTheObject) {
 
 TEST_F(ObjectRegionTest, NamesAPictureWithoutDepth) {
   set_.items[0].others.clear();
-  EXPECT_THROWS_MESSAGE(
-      Find(), Error, AllOf(HasSubstr(set_.items[0].image), HasSubstr("neither a cloud nor")));
+  EXPECT_THROWS_MESSAGE(static_cast<void>(Find()),
+                        Error,
+                        AllOf(HasSubstr(set_.items[0].image), HasSubstr("neither a cloud nor")));
 }
 
 TEST_F(ObjectRegionTest, NamesTheFileThatIsMissing) {
   const std::string scene = set_.items[0].Companion(datasets::kScene);
   std::filesystem::remove(set_.root / scene);
-  EXPECT_THROWS_MESSAGE(Find(), Error, HasSubstr(scene));
+  EXPECT_THROWS_MESSAGE(static_cast<void>(Find()), Error, HasSubstr(scene));
 }
 
 }  // namespace

@@ -54,6 +54,15 @@ TEST(ResultsCsv, RefusesOtherNumbersOfResults) {
   EXPECT_THROW(static_cast<void>(ResultsCsv(cells, {})), std::logic_error);
 }
 
+TEST(SearchSpaceCsv, HasARowAStage) {
+  CellResult without = testing::SmallResult("none");
+  without.search_space = {};
+  const std::vector<CellResult> results = {testing::SmallResult("b,c"), without};
+  EXPECT_EQ(SearchSpaceCsv(results),
+            "cell,num_images_without_region,stage,num_pixels,time_ms\n"
+            "\"b,c\",1,picture,300,0\n\"b,c\",1,region,12.5,0.75\n");
+}
+
 TEST(TimesCsv, HasARowACell) {
   const std::vector<CellResult> results = {testing::SmallResult("a"), testing::SmallResult("b,c")};
   EXPECT_EQ(TimesCsv(results),

@@ -88,6 +88,24 @@ TEST_F(StudyDataTest, DividesByClassOrByTheManifest) {
             (std::set<std::string>{"p0.png", "p1.png", "p2.png", "p3.png"}));
 }
 
+TEST_F(StudyDataTest, HasObjectsOnBothSidesWhenDividedByPicture) {
+  datasets::LabelledImageSet set = datasets::ReadLabelledImageSet(folder_ / "data");
+  for (datasets::LabelledImage& item : set.items) {
+    item.instance = item.object_class;
+    item.split = "unknown";
+  }
+  WriteManifest(set);
+  study_.split = StudySplit::kPicture;
+  const CellData divided = DivideFirst(study_);
+  const auto instances = [](const datasets::LabelledImageSet& side) {
+    std::set<std::string> names;
+    for (const datasets::LabelledImage& item : side.items) names.insert(item.instance);
+    return names;
+  };
+  EXPECT_EQ(instances(divided.train[0]), (std::set<std::string>{"even", "odd"}));
+  EXPECT_EQ(instances(divided.test), (std::set<std::string>{"even", "odd"}));
+}
+
 TEST_F(StudyDataTest, TestsWithAllOfTheOtherPictures) {
   testing::WriteRoughSet(folder_ / "other", 2);
   study_.test = DataSource{.folder = (folder_ / "other").string()};

@@ -116,7 +116,7 @@ TEST(ParseStudy, RefusesWhatDoesNotFit) {
   const auto refuse = [](const std::string& lines, const std::string& message) {
     EXPECT_THROWS_MESSAGE(Parse(Minimal(lines)), Error, HasSubstr(message));
   };
-  refuse("split = \"image\"", "give one of instance, class, manifest");
+  refuse("split = \"image\"", "give one of instance, class, picture, manifest");
   refuse("repetitions = 0", "repetitions must be a whole number");
   refuse("repetitions = 1.5", "repetitions must be a whole number");
   refuse("repetitions = { small = 1 }", "two entries");

@@ -31,6 +31,17 @@ TEST(MakeStudyPage, HoldsTablesFiguresAndVerdict) {
                     HasSubstr("<dt>split</dt><dd>instance</dd>")));
 }
 
+TEST(MakeStudyPage, ShowsWhatSearchSpaceReductionLeaves) {
+  StudyRun run = testing::SmallRun();
+  run.results[0].search_space = {.num_images_without_region = 3,
+                                 .stages = {{.stage = "crop", .num_pixels = 80.0}}};
+  EXPECT_THAT(MakeStudyPage(run, SummariseStudy(run, 1), {}, {}),
+              AllOf(HasSubstr("<h2>Search space</h2>"),
+                    HasSubstr("<td>crop</td><td class=\"number\">40</td>"),
+                    HasSubstr("<td>pictures without a region</td><td class=\"number\">3</td>")));
+  EXPECT_THAT(Page({}), Not(HasSubstr("<h2>Search space</h2>")));
+}
+
 TEST(MakeStudyPage, LoadsNothingFromOutsideAndEscapesNames) {
   const std::string page = Page({{.image = "<p>",
                                   .object_class = "a&b",

@@ -32,6 +32,19 @@ TEST(SummaryMarkdown, KeepsNamesInsideTheirColumn) {
   EXPECT_THAT(TextOf(testing::SmallRun()), HasSubstr("| pen\\|cil | 3 |"));
 }
 
+TEST(SummaryMarkdown, ShowsWhatSearchSpaceReductionLeaves) {
+  StudyRun run = testing::SmallRun();
+  EXPECT_THAT(TextOf(run), Not(HasSubstr("## Search space")));
+  for (CellResult& result : run.results) {
+    if (result.id.find("edge,ridge=2") != 0) continue;
+    result.search_space = {.num_images_without_region = 1,
+                           .stages = {{.stage = "region", .num_pixels = 12.0, .time_ms = 0.5}}};
+  }
+  EXPECT_THAT(TextOf(run),
+              AllOf(HasSubstr("| edge, ridge = 2 | region | 12 | 0.50 |"),
+                    HasSubstr("| edge, ridge = 2 | pictures without a region | 2 |")));
+}
+
 TEST(SummaryMarkdown, ShowsWarnings) {
   StudyRun run = testing::SmallRun();
   run.results[0].termination = "separated";

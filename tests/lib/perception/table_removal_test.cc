@@ -92,6 +92,23 @@ TEST(FindTable, TakesEverySupportThatHoldsItsShare) {
   EXPECT_EQ(FindTable(cloud.View(), {.min_share = 0.4F}).planes.size(), 1U);
 }
 
+// A floor beyond the table's edge, too small a share to be a support itself.
+TEST(TakePointsOffPlanes, LeavesOutWhatIsBelowEverySupport) {
+  Cloud cloud = TableWithBlock();
+  const float table_m = 0.7F;
+  for (int u = 0; u < 80; ++u) {
+    for (int v = 0; v < 4; ++v) cloud.At(u, v).z() = 0.0F;
+  }
+  const TablePlanes table = FindTable(cloud.View(), {});
+  ASSERT_EQ(table.planes.size(), 1U);
+  ASSERT_NEAR(table.planes[0].offset_m, table_m, 0.001F);
+  EXPECT_EQ(NumOff(cloud, table), 400U) << "the block, and it alone";
+  EXPECT_EQ(NumOff(cloud, {.planes = {}}), cloud.points.size());
+  const Plane floor{.normal = Eigen::Vector3f::UnitZ(), .offset_m = 0.0F};
+  cloud.At(0, 0).z() = 0.1F;
+  EXPECT_EQ(NumOff(cloud, {.planes = {table.planes[0], floor}}), 401U) << "one stands on the floor";
+}
+
 // The dissertation's rule: a plane of few neighbours is tilted by their noise, and other
 // neighbourhoods have to take what it leaves; fitted again to all points near it, one is enough.
 TEST(FindTable, NeedsFewerPlanesWhenTheyAreFittedAgain) {

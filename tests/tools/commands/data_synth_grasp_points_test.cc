@@ -46,6 +46,13 @@ TEST_F(DataSynthGraspPoints, TakesItsOptions) {
   EXPECT_THAT(ReadTextFile(out_ / "dataset.toml"), HasSubstr("seed = 5\n"));
 }
 
+TEST_F(DataSynthGraspPoints, LeavesOutTheSurroundingsWhenAsked) {
+  ASSERT_EQ(Make("--images 1 --surroundings bare").code, 0);
+  EXPECT_THAT(ReadTextFile(out_ / "dataset.toml"), HasSubstr("surroundings = \"bare\"\n"));
+  const Outcome other = Make("--images 1");
+  EXPECT_EQ(other.code, 2) << "made with other options";
+}
+
 TEST_F(DataSynthGraspPoints, RefusesOptionsThatContradictAndValuesItDoesNotKnow) {
   EXPECT_EQ(Make("--images 2 --size full").code, 2);
   EXPECT_THAT(Make("--images -1").err, HasSubstr("--images: -1 given; it must be from 0 to"));
