@@ -3,6 +3,7 @@
 
 #include "experiments/runner/object_region.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -10,12 +11,14 @@
 #include <vector>
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
 #include "datasets/formats/organised_cloud.h"
 #include "datasets/formats/toml_file.h"
 #include "datasets/importers/depth_cloud.h"
 #include "datasets/synthetic/camera_file.h"
 #include "experiments/runner/toml_table.h"
+#include "lib/core/check.h"
 #include "lib/core/error.h"
 #include "lib/perception/image_io.h"
 
@@ -54,18 +57,17 @@ Eigen::Isometry3d ReadCameraPose(const fs::path& scene) {
   return pose;
 }
 
+bool HasDepth(const datasets::LabelledImage& item) {
+  return !item.Companion(datasets::kCloud).empty() ||
+         (!item.Companion(datasets::kDepth).empty() && !item.Companion(datasets::kScene).empty());
+}
+
 datasets::OrganisedCloud CloudOf(const datasets::LabelledImageSet& set,
                                  const datasets::LabelledImage& item) {
   const std::string cloud = item.Companion(datasets::kCloud);
   if (!cloud.empty()) return datasets::ReadPcd(set.root / cloud);
   const std::string depth = item.Companion(datasets::kDepth);
   const std::string scene = item.Companion(datasets::kScene);
-  if (depth.empty() || scene.empty()) {
-    throw Error({.path = (set.root / item.image).string(),
-                 .reason = "has neither a cloud nor a depth picture with its scene, which the "
-                           "region of the object is found from",
-                 .remedy = "leave out the methods whose region is \"object\""});
-  }
   const synthetic::PinholeCamera camera =
       synthetic::ReadCameraFile(set.root / "dataset.toml").camera;
   return datasets::CloudOfDepth(perception::ReadImage16(set.root / depth),
@@ -82,6 +84,7 @@ datasets::OrganisedCloud CloudOf(const datasets::LabelledImageSet& set,
 perception::SearchRegion FindObjectRegion(const datasets::LabelledImageSet& set,
                                           std::size_t item,
                                           const Image& picture) {
+  HC_CHECK(HasDepth(set.items.at(item)), set.items[item].image);
   const datasets::OrganisedCloud cloud = CloudOf(set, set.items.at(item));
   if (cloud.width != picture.width() || cloud.height != picture.height()) {
     throw Error({.path = (set.root / set.items[item].image).string(),
@@ -89,6 +92,19 @@ perception::SearchRegion FindObjectRegion(const datasets::LabelledImageSet& set,
   }
   perception::SearchRegionFinder finder({});
   return finder.Find(picture, {cloud.points, cloud.width, cloud.height});
+}
+
+void RequireDepth(const datasets::LabelledImageSet& set) {
+  const auto lacks = [](const datasets::LabelledImage& item) { return !HasDepth(item); };
+  const auto first = std::find_if(set.items.begin(), set.items.end(), lacks);
+  if (first == set.items.end()) return;
+  throw Error(
+      {.path = (set.root / first->image).string(),
+       .reason = fmt::format("has neither a cloud nor a depth picture with its scene, as {} of {} "
+                             "pictures; methods with region = \"object\" need one",
+                             std::count_if(first, set.items.end(), lacks),
+                             set.items.size()),
+       .remedy = "leave these methods out (--methods), or take pictures with depth"});
 }
 
 }  // namespace handcraft::experiments

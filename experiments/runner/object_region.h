@@ -13,11 +13,15 @@ namespace handcraft::experiments {
 
 /// Search-space reduction of a picture, by lib/perception/search_region.h with its defaults. The
 /// cloud is the picture's companion `cloud`, or its `depth` with the intrinsics of dataset.toml and
-/// the camera's pose in its `scene`; up is the base frame's z. Throws Error naming the picture when
-/// it has neither, or they cannot be read. Thread-safe; deterministic but for the times.
-/// Source: dissertation section 3.2.2.
+/// the camera's pose in its `scene`; up is the base frame's z. It must have one (RequireDepth).
+/// Throws Error naming the file when one cannot be read or is of another size. Thread-safe;
+/// deterministic but for the times. Source: dissertation section 3.2.2.
 [[nodiscard]] perception::SearchRegion FindObjectRegion(const datasets::LabelledImageSet& set,
                                                         std::size_t item,
                                                         const Image& picture);
+
+/// Throws Error, saying how many pictures it is and naming the first, unless each picture of the
+/// set has what FindObjectRegion needs. Opens no file.
+void RequireDepth(const datasets::LabelledImageSet& set);
 
 }  // namespace handcraft::experiments

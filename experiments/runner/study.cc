@@ -3,8 +3,12 @@
 
 #include "experiments/runner/study.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "lib/core/error.h"
 
 namespace handcraft::experiments {
 namespace {
@@ -35,6 +39,26 @@ void AddSource(const std::string& name, const DataSource& source, std::vector<st
 }
 
 }  // namespace
+
+void KeepMethods(std::span<const std::string> names, Study& study) {
+  const auto is_kept = [&](const Method& method) {
+    return std::find(names.begin(), names.end(), method.name) != names.end();
+  };
+  std::vector<std::string> known;
+  for (const Method& method : study.methods) known.push_back(method.name);
+  for (const std::string& name : names) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    throw Error({.kind = Error::Kind::kUsage,
+                 .reason = fmt::format("the study {} has no method \"{}\"", study.name, name),
+                 .remedy = fmt::format("name some of {}", fmt::join(known, ", "))});
+  }
+  if (std::find(names.begin(), names.end(), study.baseline) == names.end()) {
+    throw Error({.kind = Error::Kind::kUsage,
+                 .reason = "the others are compared with " + study.baseline,
+                 .remedy = "name it among the methods"});
+  }
+  std::erase_if(study.methods, [&](const Method& method) { return !is_kept(method); });
+}
 
 std::vector<std::string> CanonicalLines(const Study& study) {
   std::vector<std::string> lines;

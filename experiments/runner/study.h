@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,10 @@ struct Study {
   std::string baseline = {};  ///< the method that others are compared with
   std::optional<Claim> claim = {};
 };
+
+/// Leaves out all methods but these, in the study's order. Throws Error(kUsage) for a name that is
+/// none of them, which it lists, and when the baseline would be left out.
+void KeepMethods(std::span<const std::string> names, Study& study);
 
 /// One line an entry that results depend on, "key = value", in a fixed order: two studies that
 /// agree in these give the same results on the same data. Title, question and claim are left out.

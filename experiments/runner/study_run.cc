@@ -60,6 +60,17 @@ void PinData(const PinnedInputs& inputs, const StudyData& data) {
   if (data.test) inputs.Pin("data.test", data.test_fingerprint + "\n");
 }
 
+// Before anything is written. Made pictures have depth.
+void RequireDepthWhereNeeded(const Study& study, const std::vector<Cell>& cells) {
+  const bool is_needed = std::any_of(cells.begin(), cells.end(), [](const Cell& cell) {
+    return cell.settings.region == TestRegion::kObject;
+  });
+  const DataSource& tested = study.test ? *study.test : study.train;
+  if (is_needed && !tested.folder.empty()) {
+    RequireDepth(datasets::ReadLabelledImageSet(tested.folder));
+  }
+}
+
 // What a killed run has left of files that were being written.
 void RemoveHalfWritten(const fs::path& cells) {
   std::vector<fs::path> left;
@@ -99,6 +110,7 @@ StudyRun RunStudy(const Study& study, const StudyRunOptions& options) {
   RequireOption(
       options.num_threads >= 1, "StudyRunOptions.num_threads", options.num_threads, "at least 1");
   StudyRun run{.study = study, .data = {}, .cells = MakeCells(study), .results = {}};
+  RequireDepthWhereNeeded(study, run.cells);
   const PinnedInputs inputs(options.out);
   PinStudy(inputs, study);
   run.data = PrepareStudyData(study, options.out / "data", options.num_threads, options.progress);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -32,6 +33,7 @@ struct StudyRunCommand {
   std::string size = "small";
   std::string data;
   std::string test_data;
+  std::vector<std::string> methods;
   int num_threads = 1;
   bool json = false;
 };
@@ -103,6 +105,7 @@ void PrintJson(const StudyRunCommand& options,
 void RunStudyRun(const StudyRunCommand& options, const Console& console) {
   experiments::Study study = FindStudy(options);
   ReplaceData(options, study);
+  if (!options.methods.empty()) experiments::KeepMethods(options.methods, study);
   ProgressBar bar(console);
   const experiments::StudyRun run = experiments::RunStudy(
       study, {.out = options.out, .num_threads = options.num_threads, .progress = bar.Callback()});
@@ -134,11 +137,14 @@ void AddStudyRun(CLI::App& parent, const Console& console) {
       ->type_name("DIR");
   command->add_option("--test-data", options->test_data, "Labelled image set for [data.test]")
       ->type_name("DIR");
+  command->add_option("--methods", options->methods, "These methods of the study alone")
+      ->type_name("NAME,...")
+      ->delimiter(',');
   AddThreadsOption(*command, options->num_threads);
   AddJsonFlag(*command, options->json);
   SetExample(*command,
              "handcraft study run chapter3-trained-objects --data datasets/samples/cornell_mini "
-             "--out study");
+             "--methods all500,H1,H2,H3 --out study");
   AddStudyFeatureAnalysis(*command, console);
   command->callback([options, command, &console] {
     if (!command->get_subcommands().empty()) return;  // it has done the work

@@ -52,11 +52,13 @@ TEST_F(ObjectRegionTest, LiesMostlyOnTheObject) {
   EXPECT_GT(2 * on_object, inside);
 }
 
-TEST_F(ObjectRegionTest, NamesAPictureWithoutDepth) {
-  set_.items[0].others.clear();
-  EXPECT_THROWS_MESSAGE(static_cast<void>(Find()),
-                        Error,
-                        AllOf(HasSubstr(set_.items[0].image), HasSubstr("neither a cloud nor")));
+TEST_F(ObjectRegionTest, RequiresDepthOfEveryPicture) {
+  EXPECT_NO_THROW(RequireDepth(set_));
+  set_.items.push_back(set_.items[0]);
+  set_.items.back().image = "bare.png";
+  set_.items.back().others.clear();
+  EXPECT_THROWS_MESSAGE(
+      RequireDepth(set_), Error, AllOf(HasSubstr("bare.png"), HasSubstr("as 1 of 2 pictures")));
 }
 
 TEST_F(ObjectRegionTest, NamesTheFileThatIsMissing) {

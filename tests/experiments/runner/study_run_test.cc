@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "datasets/synthetic/grasp_point_set.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 #include "tests/experiments/runner/small_study.h"
@@ -106,6 +107,33 @@ TEST_F(RunStudyTest, NamesADamagedCell) {
   const std::string text = ReadTextFile(file);
   WriteFileAtomically(file, std::string_view(text).substr(0, 50));
   EXPECT_THROWS_MESSAGE(Run("out"), Error, HasSubstr(file.filename().string()));
+}
+
+TEST_F(RunStudyTest, WritesNothingWhereARegionNeedsDepth) {
+  study_.methods[1].settings.push_back({"region", "object"});
+  EXPECT_THROWS_MESSAGE(Run("out"), Error, HasSubstr("as 8 of 8 pictures"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
+TEST_F(RunStudyTest, TellsTheStagesOfTheSearchSpace) {
+  const auto set = synthetic::MakeGraspPointSet(folder_ / "made",
+                                                {.num_images = 4,
+                                                 .camera = {.width_px = 160,
+                                                            .height_px = 120,
+                                                            .focal_px = 131.25F,
+                                                            .centre_u_px = 79.5F,
+                                                            .centre_v_px = 59.5F}});
+  study_.train = {.folder = set.root.string()};
+  study_.split = StudySplit::kPicture;
+  study_.methods[1].settings.push_back({"region", "object"});
+  study_.factors.clear();
+  study_.repetitions = 1;
+  const StudyRun run = Run("out");
+  EXPECT_TRUE(run.results[0].search_space.stages.empty());
+  ASSERT_FALSE(run.results[1].search_space.stages.empty());
+  EXPECT_EQ(run.results[1].search_space.stages.front().num_pixels, 160.0 * 120.0);
+  EXPECT_THAT(ReadTextFile(folder_ / "out/search_space.csv"),
+              HasSubstr("\"edge,repetition=1\",0,region,"));
 }
 
 TEST_F(RunStudyTest, RefusesNoThreads) {

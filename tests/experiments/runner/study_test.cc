@@ -6,13 +6,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lib/core/error.h"
 #include "tests/experiments/runner/small_study.h"
+#include "tests/support/expect_throws_message.h"
 
 namespace handcraft::experiments {
 namespace {
 
 using ::testing::Contains;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 TEST(CanonicalLines, NamesEverythingThatResultsDependOn) {
   EXPECT_THAT(CanonicalLines(testing::SmallStudy("data")),
@@ -49,6 +52,25 @@ TEST(CanonicalLines, DoNotDependOnWordsAndPlaces) {
   other.question = "?";
   other.claim = Claim{"here", 1.0};
   EXPECT_EQ(CanonicalLines(other), CanonicalLines(study));
+}
+
+TEST(KeepMethods, LeavesOutTheOthers) {
+  Study study = testing::SmallStudy("data");
+  KeepMethods(std::vector<std::string>{"edge", "laplacian"}, study);
+  EXPECT_EQ(study.methods.size(), 2U);
+  KeepMethods(std::vector<std::string>{"laplacian"}, study);
+  ASSERT_EQ(study.methods.size(), 1U);
+  EXPECT_EQ(study.methods[0].name, "laplacian");
+}
+
+TEST(KeepMethods, KnowsTheNamesAndNeedsTheBaseline) {
+  Study study = testing::SmallStudy("data");
+  EXPECT_THROWS_MESSAGE(KeepMethods(std::vector<std::string>{"laplacian", "sobel"}, study),
+                        Error,
+                        AllOf(HasSubstr("no method \"sobel\""), HasSubstr("laplacian, edge")));
+  EXPECT_THROWS_MESSAGE(KeepMethods(std::vector<std::string>{"edge"}, study),
+                        Error,
+                        HasSubstr("compared with laplacian"));
 }
 
 }  // namespace

@@ -69,6 +69,14 @@ TEST_F(StudyRunTest, TestsOnOtherPicturesAndTellsMachines) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/inputs/data.test"));
 }
 
+TEST_F(StudyRunTest, RunsSomeOfTheMethods) {
+  const Outcome outcome = Run("--methods a --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(nlohmann::json::parse(outcome.out)["num_cells"], 1);
+  EXPECT_EQ(Run("--methods a,c").code, 2);
+  EXPECT_THAT(Run("--methods b").err, HasSubstr("compared with a"));
+}
+
 TEST_F(StudyRunTest, NamesTheStudiesThereAre) {
   const Outcome outcome = RunLine("study run chapter9 --out " + Path("out"));
   EXPECT_EQ(outcome.code, 2);
