@@ -20,6 +20,9 @@ namespace handcraft::features::internal {
 struct InnerProductKernels {
   void (*of_floats)(const PaddedRows<float>& rows, const float* x, double* products);
   void (*of_doubles)(const PaddedRows<double>& rows, const double* x, double* products);
+};
+// Apart, so that the linker can leave it out of the robot's library, which has no use for it.
+struct TableKernel {
   void (*table)(const PaddedRows<double>& a,
                 const PaddedRows<double>& b,
                 double* products,
@@ -137,9 +140,11 @@ void Table(const PaddedRows<double>& a,
 
 }  // namespace
 
-// Not inline: one table an instruction set, found by name below.
+// Not inline: tables of each instruction set, found by name below.
 extern const internal::InnerProductKernels kInnerProductKernels;
-const internal::InnerProductKernels kInnerProductKernels = {&OfFloats, &OfDoubles, &Table};
+const internal::InnerProductKernels kInnerProductKernels = {&OfFloats, &OfDoubles};
+extern const internal::TableKernel kTableKernel;
+const internal::TableKernel kTableKernel = {&Table};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace handcraft::features
@@ -149,23 +154,44 @@ HWY_AFTER_NAMESPACE();
 namespace handcraft::features {
 namespace {
 
-const internal::InnerProductKernels& KernelsFor(InstructionSet set) noexcept {
-  switch (set) {
+// What the code of an instruction set has under this name; one that this program has no code for
+// gives the baseline.
 #if HWY_TARGETS & HWY_AVX3
-    case InstructionSet::kAvx512:
-      return N_AVX3::kInnerProductKernels;
+#define HANDCRAFT_CASE_AVX3(name) \
+  case InstructionSet::kAvx512:   \
+    return N_AVX3::name;
+#else
+#define HANDCRAFT_CASE_AVX3(name)
 #endif
 #if HWY_TARGETS & HWY_AVX2
-    case InstructionSet::kAvx2:
-      return N_AVX2::kInnerProductKernels;
+#define HANDCRAFT_CASE_AVX2(name) \
+  case InstructionSet::kAvx2:     \
+    return N_AVX2::name;
+#else
+#define HANDCRAFT_CASE_AVX2(name)
 #endif
 #if HWY_TARGETS & HWY_SSE4
-    case InstructionSet::kSse4:
-      return N_SSE4::kInnerProductKernels;
+#define HANDCRAFT_CASE_SSE4(name) \
+  case InstructionSet::kSse4:     \
+    return N_SSE4::name;
+#else
+#define HANDCRAFT_CASE_SSE4(name)
 #endif
-    default:
-      return HWY_STATIC_DISPATCH(kInnerProductKernels);
+#define HANDCRAFT_DISPATCH(set, name)   \
+  switch (set) {                        \
+    HANDCRAFT_CASE_AVX3(name)           \
+    HANDCRAFT_CASE_AVX2(name)           \
+    HANDCRAFT_CASE_SSE4(name)           \
+    default:                            \
+      return HWY_STATIC_DISPATCH(name); \
   }
+
+const internal::InnerProductKernels& KernelsFor(InstructionSet set) noexcept {
+  HANDCRAFT_DISPATCH(set, kInnerProductKernels)
+}
+
+const internal::TableKernel& TableKernelFor(InstructionSet set) noexcept {
+  HANDCRAFT_DISPATCH(set, kTableKernel)
 }
 
 }  // namespace
@@ -189,7 +215,7 @@ void InnerProductTable(const PaddedRows<double>& a,
                        double* products,
                        std::size_t product_stride,
                        InstructionSet set) noexcept {
-  KernelsFor(set).table(a, b, products, product_stride);
+  TableKernelFor(set).table(a, b, products, product_stride);
 }
 
 }  // namespace handcraft::features
