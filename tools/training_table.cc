@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "datasets/formats/libsvm_table.h"
 #include "lib/core/file.h"
 #include "lib/core/sha256.h"
 #include "lib/model_io/model_writer.h"
@@ -16,14 +17,19 @@
 
 namespace handcraft::tools {
 
-TrainingTable ReadTrainingTable(const std::string& path,
-                                const std::string& label,
-                                const std::string& out) {
-  RequireWritable(out);
-  const std::array inputs = {std::filesystem::path(path)};
-  RequireNotAnInput(out, inputs);
-  TrainingTable table{.path = path, .table = datasets::ReadTable(path, label), .labels = {}};
-  table.labels = datasets::ToBinaryLabels(table.table, path);
+datasets::Table ReadLabelledTable(const TableArguments& arguments) {
+  RequireWritable(arguments.out);
+  const std::array inputs = {std::filesystem::path(arguments.table)};
+  RequireNotAnInput(arguments.out, inputs);
+  if (arguments.label.empty() && !datasets::IsLibsvmText(arguments.table)) {
+    throw Error({.kind = Error::Kind::kUsage, .reason = "--label is required"});
+  }
+  return datasets::ReadTable(arguments.table, arguments.label);
+}
+
+TrainingTable ReadTrainingTable(const TableArguments& arguments) {
+  TrainingTable table{.path = arguments.table, .table = ReadLabelledTable(arguments), .labels = {}};
+  table.labels = datasets::ToBinaryLabels(table.table, arguments.table);
   return table;
 }
 

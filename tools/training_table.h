@@ -12,38 +12,43 @@
 #include "lib/core/design_matrix.h"
 #include "lib/core/error.h"
 #include "lib/model_io/linear_models.h"
+#include "tools/table_command.h"
 
 namespace handcraft::tools {
 
-/// What the commands that train on any table read.
+/// The numbers of a table, in place.
+[[nodiscard]] inline DesignMatrix<double> MatrixOf(const datasets::Table& table) noexcept {
+  return {.data = table.values.data(),
+          .num_samples = table.num_rows,
+          .num_features = table.columns.size(),
+          .stride = table.columns.size()};
+}
+
+/// What the commands that train on any table with two labels read.
 struct TrainingTable {
   std::string path;
   datasets::Table table;
   datasets::BinaryLabels labels;
 
-  [[nodiscard]] DesignMatrix<double> Matrix() const noexcept {
-    return {.data = table.values.data(),
-            .num_samples = table.num_rows,
-            .num_features = table.columns.size(),
-            .stride = table.columns.size()};
-  }
+  [[nodiscard]] DesignMatrix<double> Matrix() const noexcept { return MatrixOf(table); }
 };
 
-/// Reads a table with two labels; before that, sees that `out`, empty for none, can be written and
-/// is not the table. Throws Error as RequireWritable, RequireNotAnInput, ReadTable and
-/// ToBinaryLabels do.
-[[nodiscard]] TrainingTable ReadTrainingTable(const std::string& path,
-                                              const std::string& label,
-                                              const std::string& out);
+/// Reads a table with labels; before that, sees that the model, if there is to be one, can be
+/// written and is not the table. Throws Error as RequireWritable, RequireNotAnInput and ReadTable
+/// do, and Error(kUsage) without a label column where one is needed.
+[[nodiscard]] datasets::Table ReadLabelledTable(const TableArguments& arguments);
+
+/// The same for two labels. Throws Error as ToBinaryLabels does besides.
+[[nodiscard]] TrainingTable ReadTrainingTable(const TableArguments& arguments);
 
 /// Calls `train` and gives an Error of it the table's path: a trainer knows no file.
 template <class Train>
-auto NamingTable(const TrainingTable& table, Train&& train) {
+auto NamingTable(const std::string& path, Train&& train) {
   try {
     return train();
   } catch (const Error& error) {
     Error::Details details = error.details();
-    if (details.path.empty()) details.path = table.path;
+    if (details.path.empty()) details.path = path;
     throw Error(std::move(details));
   }
 }

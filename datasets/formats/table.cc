@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <string_view>
 #include <tuple>
 
 #include "datasets/formats/csv_records.h"
+#include "datasets/formats/libsvm_table.h"
 #include "lib/core/error.h"
 #include "lib/core/fields.h"
 
@@ -198,9 +200,17 @@ bool LabelLess(const std::string& a, const std::string& b) {
 Table ReadTable(const fs::path& path,
                 const std::string& label_column,
                 const std::vector<std::string>& wanted) {
-  const bool is_npy = path.extension() == ".npy" || IsNpy(path);
-  Table table =
-      is_npy ? ReadNpyTable(path, label_column) : ReadCsvTable(path, label_column, wanted);
+  Table table;
+  if (IsLibsvmText(path)) {
+    if (!label_column.empty() && label_column != "label") {
+      FailLabelColumn(path, label_column, "a file of libsvm has labels without a name, or 'label'");
+    }
+    table = ReadLibsvmTable(path, wanted.size());
+  } else if (path.extension() == ".npy" || IsNpy(path)) {
+    table = ReadNpyTable(path, label_column);
+  } else {
+    table = ReadCsvTable(path, label_column, wanted);
+  }
   if (table.num_rows == 0) throw Error({.path = path.string(), .reason = "no row of numbers"});
   if (table.columns.empty() && wanted.empty()) {
     throw Error({.path = path.string(), .reason = "no column of numbers beside the label"});
@@ -226,6 +236,25 @@ BinaryLabels ToBinaryLabels(const Table& table, const fs::path& path) {
     labels.values.push_back(label == labels.positive ? 1 : 0);
   }
   return labels;
+}
+
+ClassLabels ToClassLabels(const Table& table, const fs::path& path) {
+  ClassLabels labels;
+  labels.values.reserve(table.labels.size());
+  std::map<std::string_view, std::uint32_t> numbers;
+  for (const std::string& label : table.labels) {
+    const auto [entry, is_new] =
+        numbers.try_emplace(label, static_cast<std::uint32_t>(labels.names.size()));
+    if (is_new) labels.names.push_back(label);
+    labels.values.push_back(entry->second);
+  }
+  if (labels.names.size() >= 2) return labels;
+  throw Error({.path = path.string(),
+               .reason = "column " + QuotedBriefly(table.label_column) + " holds " +
+                         std::to_string(labels.names.size()) + " labels" +
+                         (labels.names.empty() ? "" : ": ") + ListOf(labels.names) +
+                         "; at least two are due",
+               .remedy = "choose the label column with --label"});
 }
 
 }  // namespace handcraft::datasets

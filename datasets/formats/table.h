@@ -21,7 +21,8 @@ struct Table {
   std::vector<std::string> labels;  ///< as text, one a row; empty when there is no label column
 };
 
-/// Reads CSV (header line, RFC 4180 quotes, '.' decimals) or NPY (rank 2, f4/f8/integers, C or
+/// Reads libsvm's text (.libsvm, .svm: ReadLibsvmTable; the label column has no name, or "label"),
+/// CSV (header line, RFC 4180 quotes, '.' decimals) or NPY (rank 2, f4/f8/integers, C or
 /// Fortran order; columns are named "0", "1", …; `label_column` is then a number, −1 the last one).
 /// An empty label_column reads features alone. Throws Error with line (CSV) or byte (NPY): ragged
 /// rows, text where a number is due, NaN and infinities, a label column that does not exist (the
@@ -40,5 +41,14 @@ struct BinaryLabels {
   std::vector<std::uint8_t> values;  ///< 1 where positive
 };
 [[nodiscard]] BinaryLabels ToBinaryLabels(const Table& table, const std::filesystem::path& path);
+
+/// The labels of a table as numbers of classes, which are in the order of their first rows
+/// (libsvm's order, which decides between equal votes). Throws Error(kBadInput) unless there are
+/// two or more.
+struct ClassLabels {
+  std::vector<std::string> names;
+  std::vector<std::uint32_t> values;  ///< one a row
+};
+[[nodiscard]] ClassLabels ToClassLabels(const Table& table, const std::filesystem::path& path);
 
 }  // namespace handcraft::datasets

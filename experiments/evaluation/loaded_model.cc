@@ -50,7 +50,15 @@ std::string MetadataOf(const hc_model* model, const char* key) {
 }
 
 std::string_view KindName(hc_kind kind) noexcept {
-  return kind == HC_KIND_GRASP_POINT ? "grasp_point" : "logistic";
+  switch (kind) {
+    case HC_KIND_GRASP_POINT:
+      return "grasp_point";
+    case HC_KIND_LOGISTIC:
+      return "logistic";
+    case HC_KIND_SVM:
+      return "svm";
+  }
+  return "unknown";
 }
 
 }  // namespace handcraft::experiments

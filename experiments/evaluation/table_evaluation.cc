@@ -32,7 +32,8 @@ TableModel NamesOf(const hc_model* model, const std::filesystem::path& path) {
   return {.columns = {},
           .label_column = metadata("hc.label_column"),
           .negative_label = metadata("hc.labels.0"),
-          .positive_label = metadata("hc.labels.1")};
+          .positive_label = metadata("hc.labels.1"),
+          .classes = {metadata("hc.labels.0"), metadata("hc.labels.1")}};
 }
 
 // Rows are drawn as they are: each is a group of its own.

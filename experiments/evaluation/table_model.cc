@@ -11,12 +11,14 @@
 #include <utility>
 
 #include "datasets/formats/csv_records.h"
+#include "datasets/formats/libsvm_table.h"
 #include "datasets/formats/npy.h"
 #include "lib/core/check.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 #include "lib/model_io/column_names.h"
 #include "lib/model_io/model_writer.h"
+#include "lib/model_io/svm_models.h"
 
 namespace handcraft::experiments {
 namespace {
@@ -40,6 +42,7 @@ void RequireNotPictures(const fs::path& path) {
 
 // The label column as ReadTable takes it; empty when the file has none.
 std::string LabelColumnIn(const fs::path& path, const TableModel& model) {
+  if (datasets::IsLibsvmText(path)) return "label";
   if (datasets::IsNpy(path)) {
     const bool has_one_more = datasets::ReadNpy(path).columns == model.columns.size() + 1;
     return has_one_more ? model.label_column : "";
@@ -95,21 +98,33 @@ TableModel ReadTableModel(const fs::path& path) {
     const auto found = file.metadata.find(key);
     return found == file.metadata.end() ? std::string() : found->second;
   };
-  if (const std::string kind = metadata("hc.kind"); kind != "logistic") {
-    throw Error({.path = path.string(),
-                 .reason = "this is a model of kind " + kind + ", which reads no tables",
-                 .remedy = "give a model made by 'handcraft train logistic'"});
+  const std::string kind = metadata("hc.kind");
+  if (kind == "svm") {
+    model_io::SvmNames names = model_io::ReadSvmNames(file);
+    return {.columns = std::move(names.columns),
+            .label_column = std::move(names.label_column),
+            .negative_label = {},
+            .positive_label = {},
+            .classes = std::move(names.classes)};
+  }
+  if (kind != "logistic") {
+    throw Error(
+        {.path = path.string(),
+         .reason = "this is a model of kind " + kind + ", which reads no tables",
+         .remedy = "give a model made by 'handcraft train logistic' or 'handcraft train svm'"});
   }
   return {.columns = model_io::ColumnNamesOf(file),
           .label_column = metadata("hc.label_column"),
           .negative_label = metadata("hc.labels.0"),
-          .positive_label = metadata("hc.labels.1")};
+          .positive_label = metadata("hc.labels.1"),
+          .classes = {metadata("hc.labels.0"), metadata("hc.labels.1")}};
 }
 
 datasets::Table ReadTableFor(const TableModel& model, const fs::path& path) {
   RequireNotPictures(path);
   datasets::Table table = datasets::ReadTable(path, LabelColumnIn(path, model), model.columns);
-  if (datasets::IsNpy(path) && table.columns.size() == model.columns.size()) {
+  const bool has_no_names = datasets::IsNpy(path) || datasets::IsLibsvmText(path);
+  if (has_no_names && table.columns.size() == model.columns.size()) {
     table.columns = model.columns;
     return table;
   }
@@ -136,14 +151,19 @@ void RequireLabelsOf(const TableModel& model, const datasets::Table& table, cons
   }
   const auto wrong =
       std::find_if(table.labels.begin(), table.labels.end(), [&model](const std::string& label) {
-        return label != model.negative_label && label != model.positive_label;
+        return std::find(model.classes.begin(), model.classes.end(), label) == model.classes.end();
       });
   if (wrong == table.labels.end()) return;
+  std::string list;
+  for (const std::string& label : model.classes) {
+    list += list.empty() ? "'" : ", '";
+    list += label;
+    list += '\'';
+  }
   throw Error({.path = path.string(),
                .reason = "the label '" + *wrong + "' of row " +
                          std::to_string(wrong - table.labels.begin() + 1) +
-                         " is not one of the model's: '" + model.negative_label + "', '" +
-                         model.positive_label + "'"});
+                         " is not one of the model's: " + list});
 }
 
 }  // namespace handcraft::experiments

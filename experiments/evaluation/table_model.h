@@ -12,21 +12,23 @@
 
 namespace handcraft::experiments {
 
-/// What a logistic model reads from a table, and what it says about a row.
+/// What a logistic model or a support vector machine reads from a table, and what it says about a
+/// row.
 struct TableModel {
   std::vector<std::string> columns;  ///< in the order of the weights
   std::string label_column;
-  std::string negative_label;
+  std::string negative_label;  ///< of a logistic model, as the next one
   std::string positive_label;
+  std::vector<std::string> classes = {};  ///< every label; of a logistic model negative, positive
 };
 
 /// Reads the names from the model file. Throws Error(kBadInput) for another kind of model.
 [[nodiscard]] TableModel ReadTableModel(const std::filesystem::path& path);
 
 /// The columns the model reads, in its order, wherever they stand in the file; others are left out.
-/// An NPY file has no names: one with as many columns as the model is taken as it is.
-/// The labels are read when the file has the model's label column, and left empty otherwise.
-/// Throws Error that names the columns that are missing.
+/// An NPY file has no names, libsvm's text has numbers: one with as many columns as the model is
+/// taken as it is. The labels are read when the file has the model's label column, and left empty
+/// otherwise. Throws Error that names the columns that are missing.
 [[nodiscard]] datasets::Table ReadTableFor(const TableModel& model,
                                            const std::filesystem::path& path);
 
@@ -35,7 +37,7 @@ struct TableModel {
 [[nodiscard]] std::vector<double> PredictTable(const hc_model* model, const datasets::Table& table);
 
 /// Throws Error(kBadInput) naming `path` when the table has no labels, or naming the row of one
-/// that is neither of the model's two.
+/// that is not among the model's.
 void RequireLabelsOf(const TableModel& model,
                      const datasets::Table& table,
                      const std::filesystem::path& path);

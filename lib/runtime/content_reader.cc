@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "lib/core/utf8.h"
+
 namespace handcraft::runtime {
 namespace {
 
@@ -126,6 +128,37 @@ template bool ContentReader::Read(std::string_view,
 template bool ContentReader::Read(std::string_view,
                                   std::initializer_list<std::uint64_t>,
                                   std::vector<std::uint8_t>&);
+
+bool ContentReader::ReadNames(std::string_view name,
+                              std::size_t count,
+                              const char* counted,
+                              std::vector<std::string>& names) {
+  std::vector<std::uint8_t> bytes;
+  if (!Read(name, {kAnyLength}, bytes)) return false;
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (const std::size_t good = Utf8PrefixLength(text); good < text.size()) {
+    return Fail(MakeError(HC_ERROR_CONTENT,
+                          OffsetOf(name) + good,
+                          "the tensor '%s' is not UTF-8 here",
+                          Printable(name).c_str()));
+  }
+  names.assign(1, {});
+  for (const char c : text) {
+    if (c == '\n') {
+      names.emplace_back();
+    } else {
+      names.back() += c;
+    }
+  }
+  if (names.size() == count) return true;
+  return Fail(MakeError(HC_ERROR_CONTENT,
+                        OffsetOf(name),
+                        "the tensor '%s' holds %zu names for %zu %s",
+                        Printable(name).c_str(),
+                        names.size(),
+                        count,
+                        counted));
+}
 
 bool ContentReader::CheckNormaliser(std::uint64_t num_features) {
   std::vector<double> mean;

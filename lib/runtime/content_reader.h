@@ -4,9 +4,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -42,6 +44,13 @@ class ContentReader {
     value = values[0];
     return true;
   }
+
+  /// § 6.1: a tensor of `count` UTF-8 names separated by newlines, one for each of what `counted`
+  /// says ("weights").
+  bool ReadNames(std::string_view name,
+                 std::size_t count,
+                 const char* counted,
+                 std::vector<std::string>& names);
 
   /// The tensor if there is one; counts as known from now on.
   [[nodiscard]] const TensorView* Find(std::string_view name) noexcept;

@@ -18,7 +18,10 @@
 #include "lib/runtime/grasp_point_model.h"
 #include "lib/runtime/logistic_model.h"
 #include "lib/runtime/model_file.h"
+#include "lib/runtime/model_handle.h"
 #include "lib/runtime/model_parser.h"
+#include "lib/runtime/svm_loader.h"
+#include "lib/runtime/svm_model.h"
 #include "lib/runtime/top_k.h"
 
 namespace {
@@ -32,25 +35,11 @@ using handcraft::runtime::ModelError;
 using handcraft::runtime::ParsedModel;
 using handcraft::runtime::Printable;
 using handcraft::runtime::Result;
+using handcraft::runtime::SvmModel;
 namespace format = handcraft::runtime::format;
 
 /// Largest side of an image or map [px], so that sizes in bytes never overflow.
 constexpr std::int32_t kMaxSide = 1 << 20;
-
-}  // namespace
-
-struct hc_model {
-  std::variant<PixelScorer, LogisticModel> predictor;
-  std::vector<std::pair<std::string, std::string>> metadata;  // by key
-};
-
-struct hc_workspace {
-  AlignedBuffer buffer;
-  std::int32_t max_width;
-  std::int32_t max_height;
-};
-
-namespace {
 
 using ModelPointer = std::unique_ptr<hc_model>;
 
@@ -68,13 +57,15 @@ Result<ModelPointer> Wrap(Result<Predictor> predictor, ParsedModel& parsed) {
 // docs/model_format.md § 3.3: what the file is, and whether this library knows it.
 Result<ModelPointer> BuildModel(ParsedModel& parsed) {
   const std::string kind = ValueOf(parsed, format::kKindKey);
-  if (kind != format::kGraspPointKind && kind != format::kLogisticKind) {
-    return MakeError(HC_ERROR_KIND,
-                     format::kLengthBytes,
-                     "the model is of kind '%s' and Handcraft %s reads grasp_point and logistic; "
-                     "install a newer Handcraft runtime or give another model",
-                     Printable(kind).c_str(),
-                     hc_version());
+  if (kind != format::kGraspPointKind && kind != format::kLogisticKind &&
+      kind != format::kSvmKind) {
+    return MakeError(
+        HC_ERROR_KIND,
+        format::kLengthBytes,
+        "the model is of kind '%s' and Handcraft %s reads grasp_point, logistic and svm; "
+        "install a newer Handcraft runtime or give another model",
+        Printable(kind).c_str(),
+        hc_version());
   }
   const std::string version = ValueOf(parsed, format::kKindVersionKey);
   if (version != format::kKindVersion) {
@@ -90,6 +81,7 @@ Result<ModelPointer> BuildModel(ParsedModel& parsed) {
   if (kind == format::kGraspPointKind) {
     return Wrap(handcraft::runtime::LoadGraspPointScorer(parsed), parsed);
   }
+  if (kind == format::kSvmKind) return Wrap(handcraft::runtime::LoadSvmModel(parsed), parsed);
   return Wrap(handcraft::runtime::LoadLogisticModel(parsed), parsed);
 }
 
@@ -190,8 +182,8 @@ void hc_model_free(hc_model* model) { delete model; }
 
 hc_kind hc_model_kind(const hc_model* model) {
   if (model == nullptr) return static_cast<hc_kind>(0);
-  return std::holds_alternative<PixelScorer>(model->predictor) ? HC_KIND_GRASP_POINT
-                                                               : HC_KIND_LOGISTIC;
+  if (std::holds_alternative<PixelScorer>(model->predictor)) return HC_KIND_GRASP_POINT;
+  return std::holds_alternative<SvmModel>(model->predictor) ? HC_KIND_SVM : HC_KIND_LOGISTIC;
 }
 
 const char* hc_model_metadata(const hc_model* model, const char* key) {
@@ -207,6 +199,7 @@ size_t hc_model_num_features(const hc_model* model) {
   if (const auto* scorer = std::get_if<PixelScorer>(&model->predictor)) {
     return static_cast<size_t>(scorer->spec().NumFeatures());
   }
+  if (const auto* svm = std::get_if<SvmModel>(&model->predictor)) return svm->NumFeatures();
   return std::get_if<LogisticModel>(&model->predictor)->weights.size();
 }
 
@@ -322,21 +315,6 @@ hc_status hc_top_k(const float* probabilities,
   *count = suppression_radius_px == 0 ? handcraft::runtime::FindBest(map, min_probability, places)
                                       : handcraft::runtime::FindBestApart(
                                             map, min_probability, suppression_radius_px, places);
-  return HC_OK;
-}
-
-hc_status hc_predict_row(const hc_model* model,
-                         const double* row,
-                         size_t size,
-                         double* probability) {
-  if (model == nullptr || row == nullptr || probability == nullptr) return HC_ERROR_ARGUMENT;
-  const auto* logistic = std::get_if<LogisticModel>(&model->predictor);
-  if (logistic == nullptr) return HC_ERROR_KIND;
-  if (size != logistic->weights.size() ||
-      !std::all_of(row, row + size, [](double x) { return std::isfinite(x); })) {
-    return HC_ERROR_ARGUMENT;
-  }
-  *probability = logistic->Probability({row, size});
   return HC_OK;
 }
 

@@ -63,13 +63,14 @@ HC_API void hc_model_free(hc_model* model);
 typedef enum hc_kind {
   HC_KIND_GRASP_POINT = 1, /**< Pixel scores of an image: hc_score_image. */
   HC_KIND_LOGISTIC = 2,    /**< Probability of a row of numbers: hc_predict_row. */
+  HC_KIND_SVM = 3,         /**< Class of a row of numbers: hc_classify_row. */
 } hc_kind;
 
 /** What the model is for; 0 for null, as with the numbers below. */
 HC_API hc_kind hc_model_kind(const hc_model* model);
 /** Value of a metadata key ("hc.name", …) or null; lives as long as the model. */
 HC_API const char* hc_model_metadata(const hc_model* model, const char* key);
-/** Numbers in a feature vector (grasp point) or in a row (logistic). */
+/** Numbers in a feature vector (grasp point) or in a row (logistic, svm). */
 HC_API size_t hc_model_num_features(const hc_model* model);
 /** Whether a gray image is refused. */
 HC_API int hc_model_needs_colour(const hc_model* model);
@@ -159,6 +160,30 @@ HC_API hc_status hc_predict_row(const hc_model* model,
                                 const double* row,
                                 size_t size,
                                 double* probability);
+
+/** Classes a model tells apart (svm models); 0 for the other kinds. */
+HC_API size_t hc_model_num_classes(const hc_model* model);
+/** Name of a class, or null when there is none of this number; lives as long as the model. */
+HC_API const char* hc_model_class_name(const hc_model* model, size_t number);
+
+/** Scratch memory for rows (svm models). HC_ERROR_KIND, HC_ERROR_ARGUMENT, HC_ERROR_MEMORY. */
+HC_API hc_status hc_row_workspace_create(const hc_model* model, hc_workspace** workspace);
+
+typedef struct hc_class_prediction {
+  int32_t number;   /**< Of the class: hc_model_class_name; also when it is rejected. */
+  int32_t rejected; /**< 1 when the margin is below the model's threshold: none of the classes. */
+  double margin;    /**< The class's smallest decision value against another one. */
+} hc_class_prediction;
+
+/**
+ * The class of one row of hc_model_num_features finite numbers. Does not allocate. HC_ERROR_KIND,
+ * HC_ERROR_ARGUMENT (also for the workspace of another model).
+ */
+HC_API hc_status hc_classify_row(const hc_model* model,
+                                 hc_workspace* workspace,
+                                 const double* row,
+                                 size_t size,
+                                 hc_class_prediction* prediction);
 
 /** One sentence for a status; never null. */
 HC_API const char* hc_status_message(hc_status status);

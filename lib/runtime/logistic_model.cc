@@ -3,13 +3,11 @@
 
 #include "lib/runtime/logistic_model.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <string_view>
+#include <string>
 
-#include "lib/core/utf8.h"
 #include "lib/runtime/content_reader.h"
 
 namespace handcraft::runtime {
@@ -54,25 +52,6 @@ std::optional<ModelError> RunSelfTest(const LogisticModel& model, const SelfTest
   return std::nullopt;
 }
 
-// § 6.1: one name for each weight, separated by newlines; for people and table readers.
-bool CheckColumnNames(ContentReader& reader, std::size_t num_features) {
-  std::vector<std::uint8_t> names;
-  if (!reader.Read("column_names", {kAnyLength}, names)) return false;
-  const auto num_names = static_cast<std::size_t>(std::count(names.begin(), names.end(), '\n')) + 1;
-  const std::string_view text(reinterpret_cast<const char*>(names.data()), names.size());
-  if (const std::size_t good = Utf8PrefixLength(text); good < text.size()) {
-    return reader.Fail(MakeError(HC_ERROR_CONTENT,
-                                 reader.OffsetOf("column_names") + good,
-                                 "the tensor 'column_names' is not UTF-8 here"));
-  }
-  if (num_names == num_features) return true;
-  return reader.Fail(MakeError(HC_ERROR_CONTENT,
-                               reader.OffsetOf("column_names"),
-                               "the tensor 'column_names' holds %zu names for %zu weights",
-                               num_names,
-                               num_features));
-}
-
 }  // namespace
 
 double LogisticModel::Probability(std::span<const double> row) const noexcept {
@@ -87,10 +66,11 @@ Result<LogisticModel> LoadLogisticModel(const ParsedModel& parsed) {
   ContentReader reader(parsed);
   LogisticModel model;
   SelfTest test;
+  std::vector<std::string> names;  // for people and table readers
   const bool complete = reader.Read("weights", {kAnyLength}, model.weights) &&
                         reader.ReadOne("intercept", model.intercept) &&
                         reader.CheckNormaliser(model.weights.size()) &&
-                        CheckColumnNames(reader, model.weights.size()) &&
+                        reader.ReadNames("column_names", model.weights.size(), "weights", names) &&
                         ReadSelfTest(reader, model.weights.size(), test) &&
                         reader.RefuseUnknownTensors();
   if (!complete) return reader.error();

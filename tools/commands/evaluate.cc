@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "datasets/formats/labelled_image_set.h"
+#include "experiments/evaluation/class_evaluation.h"
 #include "experiments/evaluation/grasp_point_evaluation.h"
 #include "experiments/evaluation/loaded_model.h"
 #include "experiments/evaluation/table_evaluation.h"
@@ -204,6 +205,45 @@ void EvaluateTable(const hc_model* model, const EvaluateOptions& options, const 
   if (options.json != "-") PrintTable(console, options, evaluation);
 }
 
+void PrintClasses(const Console& console,
+                  const EvaluateOptions& options,
+                  const experiments::ClassEvaluation& evaluation) {
+  console.out << fmt::format(
+      "{} on {} rows of {}\n\n", options.model, evaluation.num_rows, options.data);
+  std::vector<std::string> header = {""};
+  for (const std::string& name : evaluation.classes) header.push_back("predicted " + name);
+  if (evaluation.num_rejected > 0) header.emplace_back("none of them");
+  TextTable confusion(header);
+  for (std::size_t c = 0; c < evaluation.classes.size(); ++c) {
+    std::vector<std::string> row = {evaluation.classes[c]};
+    for (std::size_t k = 0; k + 1 < header.size(); ++k) {
+      row.push_back(std::to_string(evaluation.confusion[c][k]));
+    }
+    confusion.AddRow(row);
+  }
+  TextTable table({"measure", "value", "95 % interval"});
+  AddEstimateRow("accuracy", evaluation.accuracy, table);
+  console.out << confusion.ToText() << '\n' << table.ToText();
+}
+
+void EvaluateClasses(const hc_model* model,
+                     const EvaluateOptions& options,
+                     const Console& console) {
+  RefusePictureOptions(options.picture_options);
+  const experiments::TableModel names = experiments::ReadTableModel(options.model);
+  const datasets::Table table = experiments::ReadTableFor(names, options.data);
+  const experiments::ClassEvaluation evaluation =
+      experiments::EvaluateClasses(model, names, table, options.data);
+  WriteJson(console, options.json, experiments::ToJson(evaluation));
+  if (options.json != "-") PrintClasses(console, options, evaluation);
+}
+
+// What evaluates a model of this kind.
+auto EvaluatorOf(hc_kind kind) {
+  if (kind == HC_KIND_GRASP_POINT) return EvaluateGraspPoints;
+  return kind == HC_KIND_SVM ? EvaluateClasses : EvaluateTable;
+}
+
 void RunEvaluate(const EvaluateOptions& options, const Console& console) {
   if (options.json != "-") RequireWritable(options.json);
   RequireWritable(options.html);
@@ -215,9 +255,7 @@ void RunEvaluate(const EvaluateOptions& options, const Console& console) {
                  .reason = "--json and --html name the same file"});
   }
   const experiments::LoadedModel model = experiments::LoadModel(options.model);
-  const auto evaluate =
-      hc_model_kind(model.get()) == HC_KIND_GRASP_POINT ? EvaluateGraspPoints : EvaluateTable;
-  evaluate(model.get(), options, console);
+  EvaluatorOf(hc_model_kind(model.get()))(model.get(), options, console);
 }
 
 void AddMeasureOptions(CLI::App& command, experiments::EvaluationOptions& evaluation) {

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/formats/csv_records.h"
+#include "experiments/evaluation/class_evaluation.h"
 #include "experiments/evaluation/grasp_point_evaluation.h"
 #include "experiments/evaluation/json_text.h"
 #include "experiments/evaluation/loaded_model.h"
@@ -40,6 +41,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kPointsEnding = ".grasp_points.json";
 constexpr const char* kOverlayEnding = ".grasp_points.png";
 constexpr const char* kTableEnding = ".probabilities.csv";
+constexpr const char* kClassesEnding = ".classes.csv";
 
 struct PredictOptions {
   std::string model;
@@ -207,22 +209,58 @@ std::string ProbabilitiesCsv(const experiments::TableModel& model,
   return text;
 }
 
+// What a model says about a table.
+struct TablePrediction {
+  Json json;
+  std::string csv;
+};
+
+TablePrediction PredictProbabilities(const hc_model* model,
+                                     const experiments::TableModel& names,
+                                     const datasets::Table& table) {
+  const std::vector<double> probabilities = experiments::PredictTable(model, table);
+  return {.json = {{"positive_label", names.positive_label}, {"probabilities", probabilities}},
+          .csv = ProbabilitiesCsv(names, probabilities)};
+}
+
+// A rejected row has no class: an empty field, null.
+TablePrediction PredictClasses(const hc_model* model,
+                               const experiments::TableModel& names,
+                               const datasets::Table& table) {
+  TablePrediction prediction{.json = {{"classes", Json::array()}, {"margins", Json::array()}},
+                             .csv = "class,margin\n"};
+  for (const experiments::RowClass& row : experiments::ClassifyTable(model, table)) {
+    const Json name = row.is_rejected ? Json() : Json(names.classes[row.number]);
+    prediction.json["classes"].push_back(name);
+    prediction.json["margins"].push_back(row.margin);
+    if (!row.is_rejected) prediction.csv += datasets::CsvField(names.classes[row.number]);
+    prediction.csv += ',';
+    prediction.csv += NumberToText(row.margin);
+    prediction.csv += '\n';
+  }
+  return prediction;
+}
+
+const char* TableEnding(hc_kind kind) {
+  return kind == HC_KIND_SVM ? kClassesEnding : kTableEnding;
+}
+
 void PredictTables(const hc_model* model,
                    const PredictOptions& options,
                    const Console& console,
                    OutputFolder* folder) {
   const experiments::TableModel table_model = experiments::ReadTableModel(options.model);
+  const hc_kind kind = hc_model_kind(model);
+  const auto predict = kind == HC_KIND_SVM ? PredictClasses : PredictProbabilities;
   Json predictions = Json::array();
   std::string text;
   for (const std::string& input : options.inputs) {
-    const std::vector<double> probabilities =
-        experiments::PredictTable(model, experiments::ReadTableFor(table_model, input));
-    const std::string csv = ProbabilitiesCsv(table_model, probabilities);
-    predictions.push_back({{"table", input},
-                           {"positive_label", table_model.positive_label},
-                           {"probabilities", probabilities}});
+    const auto [json, csv] =
+        predict(model, table_model, experiments::ReadTableFor(table_model, input));
+    predictions.push_back({{"table", input}});
+    predictions.back().update(json);
     if (folder != nullptr) {
-      WriteFileAtomically(folder->Claim(OutputName(input, kTableEnding)), csv);
+      WriteFileAtomically(folder->Claim(OutputName(input, TableEnding(kind))), csv);
     } else {
       text += csv;
     }
@@ -237,7 +275,7 @@ void PredictTables(const hc_model* model,
 
 // Options that fit each other and the model.
 void Validate(const PredictOptions& options, hc_kind kind) {
-  if (kind != HC_KIND_LOGISTIC) return RequireSearchFits(options.search, options.inputs.size());
+  if (kind == HC_KIND_GRASP_POINT) return RequireSearchFits(options.search, options.inputs.size());
   RefusePictureOptions(options.picture_options);
   if (options.inputs.size() > 1 && options.out.empty() && !options.json) {
     throw Error({.kind = Error::Kind::kUsage, .reason = "several tables need --out or --json"});
@@ -252,7 +290,7 @@ void RequireInputsStay(const PredictOptions& options, hc_kind kind) {
   for (fs::path& file : options.search.Files()) inputs.push_back(std::move(file));
   const auto endings = kind == HC_KIND_GRASP_POINT
                            ? std::vector<const char*>{kPointsEnding, kOverlayEnding}
-                           : std::vector<const char*>{kTableEnding};
+                           : std::vector<const char*>{TableEnding(kind)};
   for (const std::string& input : options.inputs) {
     for (const char* ending : endings) {
       RequireNotAnInput(fs::path(options.out) / OutputName(input, ending), inputs);
@@ -306,7 +344,8 @@ void AddPredict(CLI::App& parent, const Console& console) {
   command
       ->add_option("--out",
                    options->out,
-                   "Folder for <picture>.grasp_points.json and .png, or <table>.probabilities.csv")
+                   "Folder for <picture>.grasp_points.json and .png, <table>.probabilities.csv or "
+                   "<table>.classes.csv")
       ->type_name("DIR");
   AddPictureOptions(*command, *options);
   AddJsonFlag(*command, options->json);

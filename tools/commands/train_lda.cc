@@ -14,6 +14,7 @@
 #include "tools/common_options.h"
 #include "tools/lda_options.h"
 #include "tools/progress_bar.h"
+#include "tools/table_command.h"
 #include "tools/text_table.h"
 #include "tools/training_table.h"
 #include "trainers/lda/lda.h"
@@ -24,12 +25,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct TrainLdaOptions {
-  std::string table;
-  std::string label;
-  std::string out;
-  std::string name = "lda";
-  lda::Options lda;
-  bool json = false;
+  TableArguments arguments = {};
+  lda::Options lda = {};
 };
 
 Json ToJson(const TrainLdaOptions& options, const TrainingTable& table, const lda::Result& result) {
@@ -38,7 +35,7 @@ Json ToJson(const TrainLdaOptions& options, const TrainingTable& table, const ld
   for (std::size_t j = 0; j < result.weights.size(); ++j) {
     weights[table.table.columns[j]] = result.weights[j];
   }
-  return {{"table", options.table},
+  return {{"table", options.arguments.table},
           {"label_column", table.table.label_column},
           {"negative_label", table.labels.negative},
           {"positive_label", table.labels.positive},
@@ -54,7 +51,7 @@ Json ToJson(const TrainLdaOptions& options, const TrainingTable& table, const ld
           {"constant_features", summary.constant_features},
           {"termination", NameOf(summary.termination)},
           {"message", summary.message},
-          {"model", options.out}};
+          {"model", options.arguments.out}};
 }
 
 std::string ToText(const TrainingTable& table, const lda::Result& result) {
@@ -85,13 +82,13 @@ void WriteModel(const TrainLdaOptions& options,
                 const lda::Result& result) {
   const lda::Summary& summary = result.summary;
   WriteFileAtomically(
-      options.out,
+      options.arguments.out,
       TableModelBytes(table,
                       {.weights = result.weights,
                        .intercept = result.intercept,
                        .feature_mean = result.feature_mean,
                        .feature_scale = result.feature_scale},
-                      {.name = options.name,
+                      {.name = options.arguments.name,
                        .algorithm = "lda",
                        .hyper_parameters = FieldsToText(options.lda, "lda."),
                        .metrics = {{"train.deviance", NumberToText(summary.deviance)},
@@ -102,23 +99,23 @@ void WriteModel(const TrainLdaOptions& options,
 }
 
 void RunTrainLda(const TrainLdaOptions& options, const Console& console) {
-  const TrainingTable table = ReadTrainingTable(options.table, options.label, options.out);
-  const lda::Result result = NamingTable(table, [&] {
+  const TrainingTable table = ReadTrainingTable(options.arguments);
+  const lda::Result result = NamingTable(table.path, [&] {
     ProgressBar bar(console);
     lda::Options lda = options.lda;
     lda.progress = bar.Callback();
     return lda::TrainLda(table.Matrix(), table.labels.values, lda);
   });
   RequireUsable(result.summary, table.table.columns, console);
-  if (!options.out.empty()) WriteModel(options, table, result);
-  if (options.json) {
+  if (!options.arguments.out.empty()) WriteModel(options, table, result);
+  if (options.arguments.json) {
     console.Print(ToJson(options, table, result));
     return;
   }
   console.out << ToText(table, result);
-  if (!options.out.empty()) {
+  if (!options.arguments.out.empty()) {
     console.out << "\nModel of P(" << table.table.label_column << " = " << table.labels.positive
-                << ") written to " << options.out << '\n';
+                << ") written to " << options.arguments.out << '\n';
   }
 }
 
@@ -126,21 +123,12 @@ void RunTrainLda(const TrainLdaOptions& options, const Console& console) {
 
 void AddTrainLda(CLI::App& parent, const Console& console) {
   auto options = std::make_shared<TrainLdaOptions>();
-  CLI::App* command = parent.add_subcommand(
+  CLI::App* command = AddTableCommand(
+      parent,
       "lda",
-      "Linear discriminant analysis on any table with two labels; a logistic model comes out");
-  command->add_option("TABLE", options->table, "CSV with a header line, or NPY")->required();
-  command
-      ->add_option("--label", options->label, "Column of the label; NPY: its number, -1 the last")
-      ->type_name("COLUMN")
-      ->required();
-  CLI::Option* out =
-      command->add_option("--out", options->out, "Model file to write")->type_name("FILE");
-  command->add_option("--name", options->name, "Name of the model, stored in it")
-      ->needs(out)
-      ->capture_default_str();
+      "Linear discriminant analysis on any table with two labels; a logistic model comes out",
+      options->arguments);
   AddThreadsOption(*command, options->lda.num_threads);
-  AddJsonFlag(*command, options->json);
   AddLdaOptions(*command, options->lda);
   SetExample(*command, "handcraft train lda datasets/samples/tables/breast_w.csv --label class");
   command->callback([options, &console] { RunTrainLda(*options, console); });

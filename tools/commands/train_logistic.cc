@@ -18,6 +18,7 @@
 #include "tools/common_options.h"
 #include "tools/logistic_options.h"
 #include "tools/progress_bar.h"
+#include "tools/table_command.h"
 #include "tools/training_outcome.h"
 #include "tools/training_table.h"
 #include "trainers/logistic_irls/logistic_irls.h"
@@ -29,12 +30,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct TrainLogisticOptions {
-  std::string table;
-  std::string label;
-  std::string out;
-  std::string name = "logistic";
-  logistic::Options logistic;
-  bool json = false;
+  TableArguments arguments = {};
+  logistic::Options logistic = {};
 };
 
 // One line of R's table of coefficients; what is not known is null.
@@ -59,7 +56,7 @@ Json ToJson(const TrainLogisticOptions& options,
     coefficients.push_back(CoefficientJson(
         table.columns[j], result.weights[j], has_errors ? result.standard_errors[j] : kUnknown));
   }
-  return {{"table", options.table},
+  return {{"table", options.arguments.table},
           {"label_column", table.label_column},
           {"negative_label", labels.negative},
           {"positive_label", labels.positive},
@@ -83,7 +80,7 @@ Json ToJson(const TrainLogisticOptions& options,
           {"reciprocal_condition", summary.reciprocal_condition},
           {"termination", NameOf(summary.termination)},
           {"message", summary.message},
-          {"model", options.out}};
+          {"model", options.arguments.out}};
 }
 
 std::vector<std::uint8_t> ModelBytes(const TrainLogisticOptions& options,
@@ -96,7 +93,7 @@ std::vector<std::uint8_t> ModelBytes(const TrainLogisticOptions& options,
        .intercept = result.intercept,
        .feature_mean = result.feature_mean,
        .feature_scale = result.feature_scale},
-      {.name = options.name,
+      {.name = options.arguments.name,
        .algorithm = "logistic_irls",
        .hyper_parameters = FieldsToText(options.logistic, "irls."),
        .metrics = {{"train.deviance", NumberToText(summary.deviance)},
@@ -114,27 +111,27 @@ logistic::Result Train(const TrainLogisticOptions& options,
   ProgressBar bar(console);
   logistic::Options logistic = options.logistic;
   logistic.progress = bar.Callback();
-  return NamingTable(table, [&] {
+  return NamingTable(table.path, [&] {
     return logistic::TrainLogistic(table.Matrix(), table.labels.values, logistic);
   });
 }
 
 // The summary is printed before RequireUsable throws: it is what shows why there is no model.
 void RunTrainLogistic(const TrainLogisticOptions& options, const Console& console) {
-  const TrainingTable training = ReadTrainingTable(options.table, options.label, options.out);
+  const TrainingTable training = ReadTrainingTable(options.arguments);
   const datasets::Table& table = training.table;
   const datasets::BinaryLabels& labels = training.labels;
   const logistic::Result result = Train(options, training, console);
-  if (!options.out.empty() && IsUsable(result.summary)) {
-    WriteFileAtomically(options.out, ModelBytes(options, training, result));
+  if (!options.arguments.out.empty() && IsUsable(result.summary)) {
+    WriteFileAtomically(options.arguments.out, ModelBytes(options, training, result));
   }
-  if (options.json) {
+  if (options.arguments.json) {
     console.Print(ToJson(options, table, labels, result));
   } else {
     console.out << logistic::SummaryTable(result, table.columns);
-    if (!options.out.empty() && IsUsable(result.summary)) {
+    if (!options.arguments.out.empty() && IsUsable(result.summary)) {
       console.out << "\nModel of P(" << table.label_column << " = " << labels.positive
-                  << ") written to " << options.out << '\n';
+                  << ") written to " << options.arguments.out << '\n';
     }
   }
   RequireUsable(result.summary, table.columns, console);
@@ -144,21 +141,13 @@ void RunTrainLogistic(const TrainLogisticOptions& options, const Console& consol
 
 void AddTrainLogistic(CLI::App& parent, const Console& console) {
   auto options = std::make_shared<TrainLogisticOptions>();
-  CLI::App* command = parent.add_subcommand(
-      "logistic", "Logistic regression on any table with two labels, with standard errors");
-  command->add_option("TABLE", options->table, "CSV with a header line, or NPY")->required();
-  command
-      ->add_option("--label", options->label, "Column of the label; NPY: its number, -1 the last")
-      ->type_name("COLUMN")
-      ->required();
-  CLI::Option* out =
-      command->add_option("--out", options->out, "Model file to write")->type_name("FILE");
-  command->add_option("--name", options->name, "Name of the model, stored in it")
-      ->needs(out)
-      ->capture_default_str();
+  CLI::App* command =
+      AddTableCommand(parent,
+                      "logistic",
+                      "Logistic regression on any table with two labels, with standard errors",
+                      options->arguments);
   AddSeedOption(*command, options->logistic.seed);
   AddThreadsOption(*command, options->logistic.num_threads);
-  AddJsonFlag(*command, options->json);
   AddLogisticOptions(*command, options->logistic);
   SetExample(*command,
              "handcraft train logistic datasets/samples/tables/breast_w.csv --label class");

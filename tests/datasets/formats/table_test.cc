@@ -164,5 +164,22 @@ TEST(ToBinaryLabels, RefusesOneAndThree) {
       ToBinaryLabels(table, "t.csv"), Error, HasSubstr("'19', … (31 in all); exactly two are due"));
 }
 
+TEST(ToClassLabels, AreNumberedInTheOrderOfTheirFirstRows) {
+  Table table;
+  table.labels = {"mug", "10", "mug", "9", "10"};
+  const ClassLabels labels = ToClassLabels(table, "t.csv");
+  EXPECT_THAT(labels.names, ElementsAre("mug", "10", "9"));
+  EXPECT_THAT(labels.values, ElementsAre(0, 1, 0, 2, 1));
+}
+
+TEST(ToClassLabels, RefusesOne) {
+  Table table;
+  table.label_column = "kind";
+  table.labels = {"a", "a"};
+  EXPECT_THROWS_MESSAGE(ToClassLabels(table, "t.csv"),
+                        Error,
+                        HasSubstr("t.csv: column 'kind' holds 1 labels: 'a'; at least two"));
+}
+
 }  // namespace
 }  // namespace handcraft::datasets

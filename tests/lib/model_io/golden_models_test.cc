@@ -59,6 +59,20 @@ TEST(GoldenModels, OfFormat1PredictRowsAsTheyDid) {
   hc_model_free(model);
 }
 
+TEST(GoldenModels, OfFormat1ClassifyRowsAsTheyDid) {
+  hc_model* model = Load("v1_svm.safetensors");
+  hc_workspace* workspace = nullptr;
+  ASSERT_EQ(hc_row_workspace_create(model, &workspace), HC_OK);
+  const double row[] = {2.5, 1.5};
+  hc_class_prediction prediction{};
+  ASSERT_EQ(hc_classify_row(model, workspace, row, 2, &prediction), HC_OK);
+  EXPECT_EQ(std::string(hc_model_class_name(model, 0)), "bottle");
+  EXPECT_EQ(prediction.number, 0);
+  EXPECT_EQ(prediction.margin, 1.0);
+  hc_workspace_free(workspace);
+  hc_model_free(model);
+}
+
 // Reading and writing again changes no byte: one model has one encoding.
 TEST(GoldenModels, AreWrittenAgainAsTheyAre) {
   int num_files = 0;
@@ -68,7 +82,7 @@ TEST(GoldenModels, AreWrittenAgainAsTheyAre) {
     const std::vector<std::uint8_t> bytes = ReadFile(entry.path());
     EXPECT_EQ(model_io::Serialise(model_io::Parse(bytes, entry.path())), bytes) << entry.path();
   }
-  EXPECT_EQ(num_files, 3);
+  EXPECT_EQ(num_files, 4);
 }
 
 }  // namespace

@@ -26,6 +26,8 @@ int main(int argc, char** argv) {
     }
     WriteFileAtomically(folder / "v1_logistic.safetensors",
                         handcraft::model_io::Serialise(testing::SomeLogisticModel()));
+    WriteFileAtomically(folder / "v1_svm.safetensors",
+                        handcraft::model_io::Serialise(testing::SomeSvmModel()));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

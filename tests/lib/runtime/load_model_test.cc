@@ -84,8 +84,8 @@ TEST(LoadModel, ReportsFilesItCannotRead) {
 
 TEST(LoadModel, RefusesKindsAndVersionsOfTheFuture) {
   model_io::ModelFile model = testing::SomeLogisticModel();
-  model.metadata["hc.kind"] = "svm";
-  ExpectRefused(model, HC_ERROR_KIND, "the model is of kind 'svm' and Handcraft");
+  model.metadata["hc.kind"] = "fold";
+  ExpectRefused(model, HC_ERROR_KIND, "the model is of kind 'fold' and Handcraft");
   model.metadata.erase("hc.kind");
   ExpectRefused(model, HC_ERROR_KIND, "the model is of kind ''");
   model = testing::SomeLogisticModel();

@@ -14,6 +14,7 @@
 #include "lib/core/rng.h"
 #include "lib/features/pixel_features.h"
 #include "lib/model_io/linear_models.h"
+#include "lib/model_io/svm_models.h"
 
 namespace handcraft::testing {
 
@@ -88,6 +89,36 @@ inline model_io::ModelFile SomeLogisticModel() {
   provenance.name = "some_table";
   return model_io::MakeLogisticModel(
       {"length_m", "width_m"}, "fits", "no", "yes", model, provenance);
+}
+
+/// A linear machine of three classes of (x0', x1') = (x0 − 0.5, (x1 + 0.5) / 2):
+/// f01 = x0' − x1', f02 = 2x0' + x1', f12 = x0' + 2x1' − 0.25.
+inline model_io::SvmModel SomeSvm() {
+  return {.similarity = {.type = features::SimilarityType::kLinear},
+          .scheme = features::ClassScheme::kOneAgainstOne,
+          .num_classes = 3,
+          .feature_mean = {0.5, -0.5},
+          .feature_scale = {1.0, 2.0},
+          .support_vectors = {1, 0, 0, 1, -1, -1},
+          .single_precision = true,
+          .support_classes = {0, 1, 2},
+          .machine_begins = {0, 2, 4, 6},
+          .machine_supports = {0, 1, 0, 2, 1, 2},
+          .dual_coefficients = {1, -1, 1, -1, 1, -1},
+          .intercepts = {0.0, 0.0, -0.25},
+          .rejection_threshold = {}};
+}
+
+inline model_io::SvmNames SomeSvmNames() {
+  return {.columns = {"length_m", "width_m"},
+          .classes = {"bottle", "mug", "drill"},
+          .label_column = "object"};
+}
+
+inline model_io::ModelFile SomeSvmModel(const model_io::SvmModel& model = SomeSvm()) {
+  model_io::Provenance provenance;
+  provenance.name = "some_objects";
+  return model_io::MakeSvmModel(model, SomeSvmNames(), provenance);
 }
 
 }  // namespace handcraft::testing

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "lib/core/file.h"
+#include "tests/support/temporary_directory.h"
+#include "tests/tools/support/generated_data.h"
+#include "tests/tools/support/run.h"
+
+namespace handcraft::tools {
+namespace {
+
+using handcraft::testing::TemporaryDirectory;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using testing::NumEntries;
+using testing::Outcome;
+using testing::RunLine;
+using Json = nlohmann::ordered_json;
+
+const std::string kReferences = HANDCRAFT_SOURCE_DIR "/tests/data/trainers/svm_classes";
+const std::string kBreast = HANDCRAFT_SOURCE_DIR "/datasets/samples/tables/breast_w.csv";
+
+// The labels that svm-predict 3.24 wrote (tests/data/trainers/make_svm_references.py).
+std::vector<std::string> LibsvmLabels(const std::string& kernel) {
+  std::istringstream file(ReadTextFile(kReferences + "_" + kernel + ".labels"));
+  std::vector<std::string> labels;
+  for (std::string label; file >> label;) labels.push_back(label);
+  return labels;
+}
+
+void ExpectLibsvmsLabels(const std::string& kernel, const std::string& options) {
+  const TemporaryDirectory folder;
+  const std::string model = (folder / "m.safetensors").string();
+  const std::string table = kReferences + ".libsvm";
+  const Outcome trained =
+      RunLine("train svm " + table + " --kernel " + kernel + " " + options + " --out " + model);
+  ASSERT_EQ(trained.code, 0) << trained.err;
+  const Outcome predicted = RunLine("predict " + model + " " + table + " --json");
+  ASSERT_EQ(predicted.code, 0) << predicted.err;
+  const Json json = Json::parse(predicted.out);
+  EXPECT_EQ(json["predictions"][0]["classes"].get<std::vector<std::string>>(),
+            LibsvmLabels(kernel));
+}
+
+TEST(TrainSvm, PredictsLibsvmsLabels) {
+  ExpectLibsvmsLabels("linear", "--C 0.5");
+  ExpectLibsvmsLabels("poly", "--degree 3 --gamma 0.25 --coef0 1 --C 1");
+  ExpectLibsvmsLabels("rbf", "--gamma 0.4 --C 2");
+}
+
+TEST(TrainSvm, GammaIsOneOverTheNumberOfFeatures) {
+  const Outcome outcome = RunLine("train svm " + kReferences + ".libsvm --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["gamma"], 0.25);
+  EXPECT_EQ(json["kernel"], "poly");
+  EXPECT_EQ(json["num_machines"], 6);
+  EXPECT_EQ(json["classes"], (std::vector<std::string>{"7", "-2", "3", "11"}));
+  EXPECT_EQ(json["termination"], "converged");
+}
+
+TEST(TrainSvm, WritesAModelThatIsCheckedEvaluatedAndPredictedWith) {
+  const TemporaryDirectory folder;
+  const std::string model = (folder / "m.safetensors").string();
+  const Outcome trained =
+      RunLine("train svm " + kBreast + " --label class --kernel rbf --standardize --out " + model);
+  ASSERT_EQ(trained.code, 0) << trained.err;
+  EXPECT_THAT(trained.out, AllOf(HasSubstr("benign"), HasSubstr("support vectors; converged")));
+  EXPECT_THAT(RunLine("check-model " + model).out, HasSubstr("is a svm model"));
+  EXPECT_THAT(RunLine("inspect " + model).out,
+              AllOf(HasSubstr("dual_coefficients"), HasSubstr("hc.training.svm.kernel")));
+  const Outcome evaluated = RunLine("evaluate " + model + " " + kBreast);
+  ASSERT_EQ(evaluated.code, 0) << evaluated.err;
+  EXPECT_THAT(evaluated.out, AllOf(HasSubstr("accuracy"), HasSubstr("predicted malignant")));
+  const Json json = Json::parse(RunLine("evaluate " + model + " " + kBreast + " --json").out);
+  EXPECT_GT(json["accuracy"].get<double>(), 0.95);
+  const std::string out = (folder / "p").string();
+  ASSERT_EQ(RunLine("predict " + model + " " + kBreast + " --out " + out).code, 0);
+  EXPECT_THAT(ReadTextFile(folder / "p" / "breast_w.classes.csv"),
+              HasSubstr("class,margin\nbenign,"));
+}
+
+TEST(TrainSvm, WritesTheSameModelForOneAndTwoThreads) {
+  const TemporaryDirectory folder;
+  for (const std::string threads : {"1", "2"}) {
+    ASSERT_EQ(RunLine("train svm " + kReferences + ".libsvm --threads " + threads + " --out " +
+                      (folder / threads).string())
+                  .code,
+              0);
+  }
+  EXPECT_EQ(ReadFile(folder / "1"), ReadFile(folder / "2"));
+}
+
+TEST(TrainSvm, RefusesWhatItCannotTrainOn) {
+  const TemporaryDirectory folder;
+  WriteFileAtomically(folder / "one.csv", "x,y\n1,a\n2,a\n");
+  WriteFileAtomically(folder / "two.csv", "x,y\n1,a\n2,b\n");
+  const std::string line = "train svm " + folder.path().string();
+  EXPECT_THAT(RunLine(line + "/one.csv --label y").err, HasSubstr("holds 1 labels: 'a'"));
+  const Outcome without = RunLine(line + "/two.csv");
+  EXPECT_EQ(without.code, 2);
+  EXPECT_THAT(without.err, HasSubstr("--label is required"));
+  EXPECT_EQ(RunLine(line + "/two.csv --label y --C -1").code, 2);
+  const Outcome wrong = RunLine(line + "/two.csv --label z --out " + (folder / "m").string());
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_EQ(NumEntries(folder.path()), 2U);
+}
+
+}  // namespace
+}  // namespace handcraft::tools
