@@ -7,10 +7,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 #include "lib/core/error.h"
+#include "lib/robot/cost_order.h"
 #include "lib/robot/nearest_attempt.h"
 #include "lib/robot/reach_samples.h"
 #include "lib/robot/sweep_kernel.h"
@@ -21,8 +21,6 @@ namespace {
 constexpr std::size_t kNumJoints = 7;
 constexpr std::size_t kElbow = 3;
 constexpr std::size_t kFree = 2;
-constexpr std::size_t kCost = 7;  // row of the scratch, after those of the joints
-constexpr std::size_t kNumRows = 8;
 
 SphericalArm RequireSphericalArm(const SerialChain& chain) {
   SphericalArmSearch search = FindSphericalArm(chain);
@@ -131,34 +129,14 @@ Vector3 ClosedFormSolver::WristInThird(const Matrix3& elbow) const noexcept {
   return Multiply(Transpose(arm_.shoulder.third_frame), from_shoulder);
 }
 
-// The rows of the scratch, one a joint and one of costs; `capacity` numbers each.
-class ClosedFormSolver::Rows {
- public:
-  Rows(std::vector<double>& scratch, std::size_t num_samples)
-      : capacity_(2 * internal::kSolutionsPerSample * num_samples + internal::kSweepSlack) {
-    if (scratch.size() < kNumRows * capacity_) scratch.resize(kNumRows * capacity_);
-    first_ = scratch.data();
-  }
-  [[nodiscard]] double* operator[](std::size_t row) const { return first_ + row * capacity_; }
-
- private:
-  std::size_t capacity_;
-  double* first_ = nullptr;
-};
-
-// Sets what belongs to one elbow angle, and where its solutions go.
-void ClosedFormSolver::SetElbow(double q4,
-                                double reference,
-                                const Rows& rows,
-                                std::size_t count,
-                                internal::SweepJob& job) const {
+// Sets what belongs to one elbow angle.
+void ClosedFormSolver::SetElbow(double q4, double reference, internal::SweepJob& job) const {
   const Matrix3 elbow = ElbowRotation(q4);
   job.wrist_in_third = WristInThird(elbow);
   job.fifth_from_third = Multiply(Transpose(arm_.wrist.first_frame),
                                   Multiply(Transpose(elbow), arm_.shoulder.third_frame));
   job.elbow_cost = Squared((q4 - reference) * job.limits[kElbow].inverse_half_range);
-  constexpr std::array<std::size_t, 7> kWritten = {0, 1, 2, 4, 5, 6, kCost};
-  for (std::size_t i = 0; i < kWritten.size(); ++i) job.rows[i] = rows[kWritten[i]] + count;
+  job.elbow_rad = q4;
 }
 
 // Fills the result, sorted by cost, with what the samples give.
@@ -168,7 +146,9 @@ void ClosedFormSolver::Sweep(const Goal& goal,
                              Limits limits,
                              InverseKinematicsResult& result) const {
   const bool is_kept = limits == Limits::kKept;
-  const Rows rows(result.scratch, samples.size());
+  const std::size_t capacity =
+      2 * internal::kSolutionsPerSample * internal::kSolutionSize * samples.size();
+  if (result.scratch.size() < capacity) result.scratch.resize(capacity);
   internal::SweepJob job{.arm = &arm_,
                          .free_rad = samples.angles_rad.data(),
                          .cosines = samples.cosines.data(),
@@ -187,31 +167,26 @@ void ClosedFormSolver::Sweep(const Goal& goal,
     const bool is_within = q4 >= elbow.lower - kRounding && q4 <= elbow.upper + kRounding;
     if (std::isnan(q4) || (is_kept && !is_within)) continue;
     if (is_kept) q4 = std::clamp(q4, elbow.lower, elbow.upper);
-    SetElbow(q4, reference[kElbow], rows, count, job);
-    const std::size_t added = internal::SweepFor(set_).sweep(job);
-    std::fill_n(rows[kElbow] + count, added, q4);
-    count += added;
+    SetElbow(q4, reference[kElbow], job);
+    job.solutions = result.scratch.data() + count * internal::kSolutionSize;
+    count += internal::SweepFor(set_).sweep(job);
   }
-  TakeSorted(rows, count, result);
+  TakeSorted(count, result);
 }
 
-void ClosedFormSolver::TakeSorted(const Rows& rows,
-                                  std::size_t count,
-                                  InverseKinematicsResult& result) {
-  std::vector<std::uint32_t>& order = result.order;
-  order.resize(count);
-  std::iota(order.begin(), order.end(), 0U);
-  const double* const costs = rows[kCost];
-  std::sort(order.begin(), order.end(), [costs](std::uint32_t a, std::uint32_t b) {
-    return costs[a] < costs[b] || (costs[a] == costs[b] && a < b);
-  });
+// Takes solutions from the scratch into joints and costs.
+void ClosedFormSolver::TakeSorted(std::size_t count, InverseKinematicsResult& result) {
   result.joints.resize(count * kNumJoints);
   result.costs.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = 0; j < kNumJoints; ++j) {
-      result.joints[i * kNumJoints + j] = rows[j][order[i]];
-    }
-    result.costs[i] = costs[order[i]] / kNumJoints;
+    result.costs[i] = result.scratch[i * internal::kSolutionSize + kNumJoints] / kNumJoints;
+  }
+  OrderByCost(result.costs, result.order, result.keys);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* const solution =
+        result.scratch.data() + result.order[i] * internal::kSolutionSize;
+    std::copy_n(solution, kNumJoints, result.joints.data() + i * kNumJoints);
+    result.costs[i] = solution[kNumJoints] / kNumJoints;
   }
 }
 

@@ -58,7 +58,6 @@ class ClosedFormSolver : public InverseKinematics {
     Vector3 x_in_first;
     Vector3 z_in_first;
   };
-  class Rows;  // of the scratch
   enum class Limits : std::uint8_t { kKept, kIgnored };
 
   [[nodiscard]] static Samples MakeSamples(std::vector<double> angles_rad);
@@ -67,17 +66,13 @@ class ClosedFormSolver : public InverseKinematics {
   [[nodiscard]] std::array<double, 2> ElbowsFor(const Goal& goal) const noexcept;
   [[nodiscard]] Matrix3 ElbowRotation(double q4) const noexcept;
   [[nodiscard]] Vector3 WristInThird(const Matrix3& elbow) const noexcept;
-  void SetElbow(double q4,
-                double reference,
-                const Rows& rows,
-                std::size_t count,
-                internal::SweepJob& job) const;
+  void SetElbow(double q4, double reference, internal::SweepJob& job) const;
   void Sweep(const Goal& goal,
              const Samples& samples,
              std::span<const double> reference,
              Limits limits,
              InverseKinematicsResult& result) const;
-  static void TakeSorted(const Rows& rows, std::size_t count, InverseKinematicsResult& result);
+  static void TakeSorted(std::size_t count, InverseKinematicsResult& result);
   void Rescue(const Pose& base_from_tip,
               std::span<const double> reference,
               InverseKinematicsResult& result) const;

@@ -61,6 +61,7 @@ struct InverseKinematicsResult {
   Attempt best;
   std::vector<double> scratch;       ///< the solver's
   std::vector<std::uint32_t> order;  ///< the solver's
+  std::vector<std::uint64_t> keys;   ///< the solver's
 
   [[nodiscard]] bool IsSolved() const noexcept { return !costs.empty(); }
   [[nodiscard]] std::size_t size() const noexcept { return costs.size(); }

@@ -3,7 +3,9 @@
 
 #include "lib/robot/sweep_kernel.h"
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 // As in lib/features/pixel_kernels.cc: Highway's headers, its library not.
 #define HWY_DISABLED_TARGETS \
@@ -49,6 +51,9 @@ struct Sample {
   Doubles u_x, u_y, u_z;  // shoulder to wrist after axis 3
   Doubles k;              // y after axis 2
   Doubles t;              // |x| after axis 2
+  Doubles y;              // after the skew of axes 1 and 2
+  Doubles inverse_u2;     // 1 / (u_x² + u_y²)
+  Doubles inverse_level;  // 1 / product of the lengths of (t, y) and of w off axis 1
   Doubles cost;           // of joints 3 and 4
 };
 
@@ -73,7 +78,11 @@ HWY_INLINE Sample TakeSample(const Constants& c, std::size_t first) {
   const Mask is_wanted = hn::Lt(hn::Iota(DoubleTag(), static_cast<double>(first)),
                                 Constant(static_cast<double>(job.count)));
   s.is_valid = hn::And(s.is_valid, is_wanted);
-  s.t = hn::Sqrt(hn::Max(rest, Constant(0.0)));
+  const Doubles t2 = hn::Max(rest, Constant(0.0));
+  s.t = hn::Sqrt(t2);
+  s.y = hn::NegMulAdd(c.shoulder_skew.sine, s.u_z, hn::Mul(c.shoulder_skew.cosine, s.k));
+  s.inverse_u2 = Inverse(length2);
+  s.inverse_level = Inverse(hn::Sqrt(hn::Mul(hn::MulAdd(s.y, s.y, t2), Constant(c.level2))));
   s.cost = CostOf(job.limits[2], s.free_rad, Constant(job.elbow_cost));
   return s;
 }
@@ -89,15 +98,13 @@ HWY_INLINE Shoulder SolveShoulder(const Constants& c, const Sample& s, double si
   const SweepJob& job = c.job;
   Shoulder shoulder;
   const Doubles x = hn::Mul(Constant(sign), s.t);
-  // (c₂, s₂) turns (u_x, u_y) to (x, k).
-  shoulder.turn2 = TurnBetween(s.u_x, s.u_y, x, s.k);
-  const Doubles y =
-      hn::NegMulAdd(c.shoulder_skew.sine, s.u_z, hn::Mul(c.shoulder_skew.cosine, s.k));
+  // (c₂, s₂) turns (u_x, u_y) to (x, k), which is as long.
+  shoulder.turn2 = TurnBetween(s.u_x, s.u_y, x, s.k, s.inverse_u2);
   if (c.is_shoulder_singular) {
     shoulder.turn1 = {Constant(c.reference1[0]), Constant(c.reference1[1])};
   } else {
-    shoulder.turn1 =
-        TurnBetween(x, y, Constant(job.wrist_in_first[0]), Constant(job.wrist_in_first[1]));
+    shoulder.turn1 = TurnBetween(
+        x, s.y, Constant(job.wrist_in_first[0]), Constant(job.wrist_in_first[1]), s.inverse_level);
   }
   shoulder.is_valid = s.is_valid;
   shoulder.q2 = WithinLimits(job.limits[1],
@@ -125,6 +132,28 @@ HWY_INLINE Vector BehindElbow(const Constants& c,
   return {row(0), row(3), row(6)};
 }
 
+struct Solutions {
+  Doubles q1, q2, q3, q5, q6, q7, cost;
+};
+
+// Writes those of the valid lanes one after the other. (Compressing vectors is slower: Highway 1.0
+// copies a table for it.)
+HWY_INLINE std::size_t Write(Mask is_valid, const Solutions& all, double q4, double* to) {
+  alignas(64) double lanes[kSolutionSize][HWY_MAX_BYTES / sizeof(double)];
+  const Doubles values[] = {all.q1, all.q2, all.q3, Constant(q4), all.q5, all.q6, all.q7, all.cost};
+  for (std::size_t i = 0; i < kSolutionSize; ++i) hn::Store(values[i], DoubleTag(), lanes[i]);
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(DoubleTag(), is_valid, bytes);
+  std::size_t count = 0;
+  for (unsigned int bits = bytes[0]; bits != 0; bits &= bits - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+    for (std::size_t i = 0; i < kSolutionSize; ++i) to[i] = lanes[i][lane];
+    to += kSolutionSize;
+    ++count;
+  }
+  return count;
+}
+
 // Joints 5, 6, 7 for both signs of sin θ₆; appends what is within the limits.
 HWY_INLINE std::size_t SolveWrist(const Constants& c,
                                   const Sample& s,
@@ -144,13 +173,14 @@ HWY_INLINE std::size_t SolveWrist(const Constants& c,
   const Mask is_reached = hn::And(shoulder.is_valid, hn::Ge(rest, Constant(-1e-14)));
   const Doubles m = hn::Sqrt(hn::Max(rest, Constant(0.0)));
   const Mask is_singular = hn::Lt(level2, Constant(1e-28));
+  const Doubles inverse_level = Inverse(level2);  // (m, b) is as long as (z_x, z_y)
   for (const double sign : {1.0, -1.0}) {
     const Doubles signed_m = hn::Mul(Constant(sign), m);
-    Turn turn5 = TurnBetween(signed_m, b, z.x, z.y);
+    Turn turn5 = TurnBetween(signed_m, b, z.x, z.y, inverse_level);
     turn5.cosine = hn::IfThenElse(is_singular, Constant(c.reference5[0]), turn5.cosine);
     turn5.sine = hn::IfThenElse(is_singular, Constant(c.reference5[1]), turn5.sine);
     const Doubles sin6 = hn::Mul(signed_m, Constant(1.0 / wrist.sin_23));
-    const Turn turn6 = Normalised({cos6, sin6});
+    const Turn turn6 = {cos6, sin6};
     Mask is_valid = is_reached;
     const Doubles q6 =
         WithinLimits(job.limits[5], hn::Sub(Angle(turn6), Constant(wrist.offset_rad)), is_valid);
@@ -162,11 +192,10 @@ HWY_INLINE std::size_t SolveWrist(const Constants& c,
     if (hn::AllFalse(DoubleTag(), is_valid)) continue;
     const Doubles cost = CostOf(
         job.limits[6], q7, CostOf(job.limits[5], q6, CostOf(job.limits[4], q5, shoulder.cost)));
-    const Doubles values[] = {shoulder.q1, shoulder.q2, s.free_rad, q5, q6, q7, cost};
-    for (std::size_t row = 0; row < 7; ++row) {
-      hn::CompressStore(values[row], is_valid, DoubleTag(), job.rows[row] + num_written);
-    }
-    num_written += hn::CountTrue(DoubleTag(), is_valid);
+    num_written += Write(is_valid,
+                         {shoulder.q1, shoulder.q2, s.free_rad, q5, q6, q7, cost},
+                         job.elbow_rad,
+                         job.solutions + num_written * kSolutionSize);
   }
   return num_written;
 }

@@ -15,6 +15,8 @@ namespace handcraft::robot::internal {
 inline constexpr std::size_t kSweepSlack = 16;
 /// Solutions that one sample can have for one elbow: shoulder and wrist both have two.
 inline constexpr std::size_t kSolutionsPerSample = 4;
+/// Numbers of a solution: seven joints and the cost.
+inline constexpr std::size_t kSolutionSize = 8;
 
 /// Limits of a joint and what its cost is measured with.
 struct SweepLimit {
@@ -32,17 +34,19 @@ struct SweepJob {
   const double* cosines = nullptr;   ///< of them
   const double* sines = nullptr;
   std::size_t count = 0;
-  Vector3 wrist_in_third = {};  ///< shoulder to wrist, in the shoulder's third frame, this elbow
-  Vector3 wrist_in_first = {};  ///< where it is to go, in the shoulder's first frame
-  Vector3 goal_x_in_first =
-      {};  ///< columns x and z of the wrist's third frame, wanted, in the same
+  /// Shoulder to wrist, in the shoulder's third frame, with this elbow.
+  Vector3 wrist_in_third = {};
+  /// Where that is to go, and columns x and z of the wrist's third frame as they are to be, in the
+  /// shoulder's first frame.
+  Vector3 wrist_in_first = {};
+  Vector3 goal_x_in_first = {};
   Vector3 goal_z_in_first = {};
-  Matrix3 fifth_from_third =
-      {};                   ///< wrist's first frame from the shoulder's third frame, this elbow
+  /// The wrist's first frame from the shoulder's third frame, with this elbow.
+  Matrix3 fifth_from_third = {};
+  double elbow_rad = 0.0;   ///< q₄
   double elbow_cost = 0.0;  ///< of q₄
-  /// Where solutions go: rows of q₁, q₂, q₃, q₅, q₆, q₇ and the cost, each with room for
-  /// kSolutionsPerSample · count + kSweepSlack numbers.
-  std::array<double*, 7> rows{};
+  /// Where solutions go, q₁ ... q₇ and the cost of each; room for kSolutionsPerSample · count.
+  double* solutions = nullptr;
 };
 
 /// The sweep and its parts, compiled once for each instruction set. Nothing here allocates.

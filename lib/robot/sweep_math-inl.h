@@ -49,17 +49,16 @@ HWY_INLINE Vector TurnX(const Turn& turn, const Vector& v) {
           hn::MulAdd(turn.sine, v.y, hn::Mul(turn.cosine, v.z))};
 }
 
-// To length 1; (0, 0) stays.
-HWY_INLINE Turn Normalised(const Turn& turn) {
-  const Doubles length2 = hn::MulAdd(turn.cosine, turn.cosine, hn::Mul(turn.sine, turn.sine));
-  const Doubles inverse = hn::Div(Constant(1.0), hn::Sqrt(hn::Max(length2, Constant(1e-300))));
-  return {hn::Mul(turn.cosine, inverse), hn::Mul(turn.sine, inverse)};
+// The turn that brings the direction of (x, y) to that of (to_x, to_y); `inverse_lengths` is 1 over
+// the product of their lengths.
+HWY_INLINE Turn
+TurnBetween(Doubles x, Doubles y, Doubles to_x, Doubles to_y, Doubles inverse_lengths) {
+  return {hn::Mul(inverse_lengths, hn::MulAdd(x, to_x, hn::Mul(y, to_y))),
+          hn::Mul(inverse_lengths, hn::NegMulAdd(y, to_x, hn::Mul(x, to_y)))};
 }
 
-// The turn that brings the direction of (x, y) to that of (to_x, to_y).
-HWY_INLINE Turn TurnBetween(Doubles x, Doubles y, Doubles to_x, Doubles to_y) {
-  return Normalised(
-      {hn::MulAdd(x, to_x, hn::Mul(y, to_y)), hn::NegMulAdd(y, to_x, hn::Mul(x, to_y))});
+HWY_INLINE Doubles Inverse(Doubles value) {
+  return hn::Div(Constant(1.0), hn::Max(value, Constant(1e-300)));
 }
 
 // The angle in [−π, π], within 1e-15: atan2(sine, cosine). With a = min / max of the two absolute
