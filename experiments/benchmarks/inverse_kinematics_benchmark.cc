@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lib/core/rng.h"
+#include "lib/features/instruction_set.h"
 #include "lib/robot/closed_form_solver.h"
 #include "lib/robot/kdl_solver.h"
 
@@ -101,6 +102,17 @@ void MeasureOurs(const robot::SerialChain& chain,
   result.details["ours_largest_error_rad"] = largest.rotation_rad;
 }
 
+void MeasureInstructionSets(const robot::SerialChain& chain,
+                            std::span<const robot::Pose> poses,
+                            BenchmarkResult& result) {
+  for (const features::InstructionSet set : features::SupportedInstructionSets()) {
+    const robot::ClosedFormSolver solver(chain, {}, set);
+    robot::InverseKinematicsResult found;
+    result.details["ours_us_" + std::string(NameOf(set))] =
+        MicrosecondsEach(poses, [&](const robot::Pose& pose) { solver.Solve(pose, {}, found); });
+  }
+}
+
 // One call of KDL a pose, from the middle of the limits. Returns µs a pose.
 double MeasureKdl(const robot::KdlSolver& solver,
                   robot::KdlMethod method,
@@ -149,6 +161,7 @@ BenchmarkResult BenchmarkInverseKinematicsOf(const InverseKinematicsBenchmarkSiz
   result.dissertation_ms = kMatlabMs;
   result.details["num_poses"] = static_cast<double>(poses.size());
   MeasureOurs(chain, poses, result);
+  MeasureInstructionSets(chain, first(size.num_slow_poses), result);
   const robot::KdlSolver solver(chain,
                                 {.position_tolerance_m = 1e-6, .rotation_tolerance_rad = 1e-6});
   result.peer = "Orocos KDL, one Levenberg-Marquardt call, one solution";

@@ -50,8 +50,9 @@ void InverseKinematics::Solve(const Pose& base_from_tip,
   if (!reference.empty()) chain_.RequireWithinLimits(reference);
   result.joints.clear();
   result.costs.clear();
-  SolveSound(
-      base_from_tip, reference.empty() ? std::span<const double>(middle_) : reference, result);
+  SolveSound({Orthonormalised(base_from_tip.rotation), base_from_tip.translation_m},
+             reference.empty() ? std::span<const double>(middle_) : reference,
+             result);
 }
 
 double InverseKinematics::Cost(std::span<const double> joints,

@@ -80,7 +80,8 @@ class InverseKinematics {
   InverseKinematics& operator=(const InverseKinematics&) = delete;
 
   /// `reference`: the joint values that solutions are to be near, as many as joints; empty: the
-  /// middle of the limits. An unreachable pose is a result without solutions. Throws
+  /// middle of the limits. A rotation that is one but for rounding is made one, and errors are told
+  /// against that. An unreachable pose is a result without solutions. Throws
   /// Error(kBadInput) for a pose that is none (FaultOf), Error(kUsage) for a reference outside the
   /// limits or of another length.
   void Solve(const Pose& base_from_tip,

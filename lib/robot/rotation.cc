@@ -37,6 +37,15 @@ Matrix3 FromColumns(const Vector3& x, const Vector3& y, const Vector3& z) noexce
   return {x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2]};
 }
 
+Matrix3 Orthonormalised(const Matrix3& rotation) noexcept {
+  const Vector3 long_z = Column(rotation, 2);
+  const Vector3 z = Scale(long_z, 1.0 / Norm(long_z));
+  const Vector3 x = Column(rotation, 0);
+  const Vector3 across = Subtract(x, Scale(z, Dot(x, z)));
+  const Vector3 unit_x = Scale(across, 1.0 / Norm(across));
+  return FromColumns(unit_x, Cross(z, unit_x), z);
+}
+
 Matrix3 AxisRotation(const Vector3& axis, double angle_rad) noexcept {
   const double c = std::cos(angle_rad);
   const double s = std::sin(angle_rad);

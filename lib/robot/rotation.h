@@ -43,6 +43,10 @@ inline constexpr Matrix3 kIdentity3 = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 /// The matrix with these columns.
 [[nodiscard]] Matrix3 FromColumns(const Vector3& x, const Vector3& y, const Vector3& z) noexcept;
 
+/// A rotation next to a matrix that is nearly one: z kept in direction, x in the plane of both, y
+/// their product.
+[[nodiscard]] Matrix3 Orthonormalised(const Matrix3& rotation) noexcept;
+
 /// Rotation by an angle [rad] about a unit axis (Rodrigues).
 [[nodiscard]] Matrix3 AxisRotation(const Vector3& axis, double angle_rad) noexcept;
 

@@ -232,6 +232,17 @@ TEST(ClosedFormSolver, AllocatesNothingAfterTheFirstCalls) {
   EXPECT_EQ(counter.Count(), 0U);
 }
 
+// As read from a text with seven digits.
+TEST(ClosedFormSolver, TakesRotationsThatWereRounded) {
+  const SerialChain chain = testing::LeftWam();
+  Pose pose = ForwardKinematics(chain, std::vector<double>{0.3, 0.7, 0.5, 1.0, 0.2, 0.4, 0.1});
+  for (double& entry : pose.rotation) entry = std::round(1e7 * entry) / 1e7;
+  InverseKinematicsResult result;
+  ClosedFormSolver(chain).Solve(pose, {}, result);
+  ASSERT_TRUE(result.IsSolved());
+  EXPECT_LT(result.best.error.rotation_rad, 1e-9);
+}
+
 TEST(ClosedFormSolver, SaysWhyAnArmHasNone) {
   EXPECT_THROWS_MESSAGE(
       ClosedFormSolver(testing::Panda()),

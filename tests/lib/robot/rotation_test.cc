@@ -53,6 +53,20 @@ TEST(RotationVector, KnowsHalfTurns) {
   }
 }
 
+TEST(Orthonormalised, KeepsRotationsAndMendsRounding) {
+  Rng rng(3);
+  for (int i = 0; i < 50; ++i) {
+    const Vector3 v = DrawVector(rng);
+    const Matrix3 rotation = AxisRotation(Scale(v, 1.0 / Norm(v)), 3.0 * rng.Uniform());
+    EXPECT_THAT(Orthonormalised(rotation), Pointwise(DoubleNear(kRounding), rotation));
+    Matrix3 rounded = rotation;
+    for (double& entry : rounded) entry = std::round(1e6 * entry) / 1e6;
+    const Matrix3 mended = Orthonormalised(rounded);
+    EXPECT_THAT(Multiply(mended, Transpose(mended)), Pointwise(DoubleNear(kRounding), kIdentity3));
+    EXPECT_THAT(mended, Pointwise(DoubleNear(2e-6), rotation));
+  }
+}
+
 TEST(Matrix3, KeepsTheLawsOfRotations) {
   Rng rng(2);
   for (int i = 0; i < 50; ++i) {
