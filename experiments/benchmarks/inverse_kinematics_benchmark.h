@@ -19,9 +19,10 @@ struct InverseKinematicsBenchmarkSize {
 /// gives poses; ours returns every solution of a sweep of 4 degrees. ours_ms and peer_ms are
 /// processor time a pose, the peer's one call of KDL's Levenberg-Marquardt solver from the middle
 /// of the limits. Details: shares of the poses that were solved within the limits and 1e-6 m and
-/// rad (ours: 1e-9), µs a pose (also by instruction set), solutions a pose, the largest errors of
-/// all our solutions; for KDL its three ways: one Levenberg-Marquardt call, one Newton-Raphson call
-/// with limits, and our iterative solver, which starts the former again until it succeeds.
+/// rad (ours: 1e-9), µs a pose (also the slowest, and by instruction set), solutions a pose, the
+/// largest errors of all our solutions; for KDL its three ways: one Levenberg-Marquardt call, one
+/// Newton-Raphson call with limits, and our iterative solver, which starts the former again until
+/// it succeeds.
 BenchmarkResult BenchmarkInverseKinematicsOf(const InverseKinematicsBenchmarkSize& size);
 
 }  // namespace handcraft::experiments

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -48,23 +49,27 @@ Joint& FindJoint(SerialChain& chain,
   return *found;
 }
 
+// Number i of the two that `node`, the limits of a joint, must hold.
+double ReadLimit(const TomlTable& table,
+                 const toml::node& node,
+                 std::string_view joint,
+                 std::size_t i) {
+  const toml::array* const pair = node.as_array();
+  const bool is_pair = pair != nullptr && pair->size() == 2;
+  const auto value = is_pair ? (*pair)[i].value<double>() : std::nullopt;
+  if (!value || !(std::abs(*value) <= kLargest)) {
+    table.Fail(node, fmt::format("limits of '{}' must be two numbers, [lower, upper]", joint));
+  }
+  return *value;
+}
+
 void ApplyLimits(const TomlTable& file, SerialChain& chain) {
   if (!file.Has("limits")) return;
   const TomlTable table = file.Table("limits");
   for (const auto& [key, node] : table.table()) {
     Joint& joint = FindJoint(chain, table, node, key.str());
-    const toml::array* const pair = node.as_array();
-    const auto at = [&](std::size_t i) {
-      const auto value =
-          pair == nullptr || pair->size() != 2 ? std::nullopt : (*pair)[i].value<double>();
-      if (!value || !(std::abs(*value) <= kLargest)) {
-        table.Fail(node,
-                   fmt::format("limits of '{}' must be two numbers, [lower, upper]", key.str()));
-      }
-      return *value;
-    };
-    joint.lower = at(0);
-    joint.upper = at(1);
+    joint.lower = ReadLimit(table, node, key.str(), 0);
+    joint.upper = ReadLimit(table, node, key.str(), 1);
     if (!(joint.lower < joint.upper)) {
       table.Fail(
           node,
