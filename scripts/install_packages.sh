@@ -26,6 +26,7 @@ build | libcli11-dev       | command line
 build | nlohmann-json3-dev | JSON
 build | libtinyxml2-dev    | XML
 build | libtomlplusplus-dev | TOML
+build | liborocos-kdl-dev  | inverse kinematics of arms without a closed form
 build | zlib1g-dev         | compressed MATLAB files
 build | libfmt-dev         | text formatting
 build | libembree-dev      | ray casting for made-up pictures

@@ -70,6 +70,7 @@ void AddCommands(CLI::App& app, const Console& console) {
   AddPredict(app, console);
   AddInspect(app, console);
   AddCheckModel(app, console);
+  AddRobot(app, console);
   AddStudy(app, console);
   AddBench(app, console);
   RefuseEmptyPaths(app);

@@ -7,9 +7,9 @@
 
 #include "datasets/formats/labelled_image_set.h"
 #include "datasets/formats/organised_cloud.h"
-#include "datasets/formats/toml_file.h"
 #include "lib/core/check.h"
 #include "lib/perception/image_io.h"
+#include "lib/structured_text/toml_file.h"
 
 namespace handcraft::datasets {
 namespace {

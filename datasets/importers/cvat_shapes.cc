@@ -19,10 +19,10 @@
 #include <vector>
 
 #include "datasets/formats/mask_picture.h"
-#include "datasets/formats/xml_element.h"
 #include "datasets/importers/labelled_shapes.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
+#include "lib/structured_text/xml_element.h"
 
 namespace handcraft::datasets {
 namespace {

@@ -13,9 +13,9 @@
 
 #include <toml++/toml.h>
 
-#include "datasets/formats/toml_file.h"
 #include "lib/core/error.h"
 #include "lib/core/option_rules.h"
+#include "lib/structured_text/toml_file.h"
 
 namespace handcraft::synthetic {
 namespace {
@@ -71,7 +71,7 @@ class CameraTable {
 }  // namespace
 
 CameraFile ReadCameraFile(const std::filesystem::path& path) {
-  const toml::table root = datasets::ReadTomlFile(path);
+  const toml::table root = ReadTomlFile(path);
   const toml::table* const found = root["camera"].as_table();
   if (found == nullptr) {
     throw Error({.path = path.string(),

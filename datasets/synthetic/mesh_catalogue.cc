@@ -15,12 +15,12 @@
 
 #include <toml++/toml.h>
 
-#include "datasets/formats/toml_file.h"
 #include "datasets/synthetic/draw.h"
 #include "datasets/synthetic/object_parts.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 #include "lib/core/sha256.h"
+#include "lib/structured_text/toml_file.h"
 
 namespace handcraft::synthetic {
 namespace {
@@ -269,7 +269,7 @@ MeshCatalogue ReadMeshCatalogue(const fs::path& folder) {
                  .reason = "holds no meshes.toml, which says what its meshes are",
                  .remedy = "docs/synthetic_data.md describes one"});
   }
-  const toml::table table = datasets::ReadTomlFile(file);
+  const toml::table table = ReadTomlFile(file);
   const toml::array* const entries = table["mesh"].as_array();
   if (entries == nullptr || entries->empty() || table.size() != 1) {
     throw Error({.path = file.string(), .reason = "holds something else than tables [[mesh]]"});

@@ -54,5 +54,6 @@ BenchmarkResult BenchmarkLoadModel(const BenchmarkOptions& options);
 BenchmarkResult BenchmarkTrainIrls(const BenchmarkOptions& options);
 BenchmarkResult BenchmarkPca(const BenchmarkOptions& options);
 BenchmarkResult BenchmarkSearchSpaceVga(const BenchmarkOptions& options);
+BenchmarkResult BenchmarkInverseKinematics(const BenchmarkOptions& options);
 
 }  // namespace handcraft::experiments

@@ -14,13 +14,13 @@
 #include <fmt/format.h>
 
 #include "datasets/formats/organised_cloud.h"
-#include "datasets/formats/toml_file.h"
 #include "datasets/importers/depth_cloud.h"
 #include "datasets/synthetic/camera_file.h"
-#include "experiments/runner/toml_table.h"
 #include "lib/core/check.h"
 #include "lib/core/error.h"
 #include "lib/perception/image_io.h"
+#include "lib/structured_text/toml_file.h"
+#include "lib/structured_text/toml_table.h"
 
 namespace handcraft::experiments {
 namespace {
@@ -47,7 +47,7 @@ std::vector<double> Numbers(const TomlTable& table, std::string_view key, std::s
 }
 
 Eigen::Isometry3d ReadCameraPose(const fs::path& scene) {
-  const toml::table parsed = datasets::ReadTomlFile(scene);
+  const toml::table parsed = ReadTomlFile(scene);
   const TomlTable camera = TomlTable(scene.string(), parsed, "").Table("camera");
   const std::vector<double> p = Numbers(camera, "base_from_camera_position_m", 3);
   const std::vector<double> q = Numbers(camera, "base_from_camera_quaternion_xyzw", 4);

@@ -12,11 +12,11 @@
 
 #include <fmt/format.h>
 
-#include "datasets/formats/toml_file.h"
-#include "experiments/runner/toml_table.h"
 #include "lib/core/error.h"
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
+#include "lib/structured_text/toml_file.h"
+#include "lib/structured_text/toml_table.h"
 
 namespace handcraft::experiments {
 namespace {
@@ -232,7 +232,7 @@ Study ReadStudy(const std::filesystem::path& file, StudySize size) {
 }
 
 Study ParseStudy(std::string_view text, const std::string& source, StudySize size) {
-  const toml::table parsed = datasets::ParseToml(text, source);
+  const toml::table parsed = ParseToml(text, source);
   const TomlTable top(source, parsed, "");
   constexpr std::array<std::string_view, 12> kKeys = {"name",
                                                       "title",

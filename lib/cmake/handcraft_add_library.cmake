@@ -8,24 +8,31 @@
 set(HANDCRAFT_MAY_LINK_core "")
 set(HANDCRAFT_MAY_LINK_features core)
 set(HANDCRAFT_MAY_LINK_runtime core features)
+set(HANDCRAFT_MAY_LINK_structured_text core)
 set(HANDCRAFT_MAY_LINK_perception core features)
 set(HANDCRAFT_MAY_LINK_model_io core features runtime)
 set(HANDCRAFT_MAY_LINK_linear_algebra core)
-set(HANDCRAFT_MAY_LINK_datasets core features perception)
+set(HANDCRAFT_MAY_LINK_robot core features structured_text)
+set(HANDCRAFT_MAY_LINK_datasets core features perception structured_text)
 set(HANDCRAFT_MAY_LINK_trainer core features linear_algebra model_io)
-set(HANDCRAFT_MAY_LINK_experiments core features linear_algebra perception model_io runtime datasets trainer)
-set(HANDCRAFT_MAY_LINK_tools core features linear_algebra perception model_io runtime datasets trainer experiments)
+set(HANDCRAFT_MAY_LINK_experiments
+    core features linear_algebra perception model_io robot runtime structured_text datasets trainer)
+set(HANDCRAFT_MAY_LINK_tools
+    core features linear_algebra perception model_io robot runtime datasets trainer experiments)
 
 set(HANDCRAFT_THIRD_PARTY_core Eigen3::Eigen Threads::Threads)
 set(HANDCRAFT_THIRD_PARTY_features hwy_headers)
 set(HANDCRAFT_THIRD_PARTY_runtime "")
+set(HANDCRAFT_THIRD_PARTY_structured_text
+    fmt::fmt tinyxml2::tinyxml2 tomlplusplus::tomlplusplus)
+set(HANDCRAFT_THIRD_PARTY_robot fmt::fmt hwy_headers orocos_kdl tomlplusplus::tomlplusplus)
 set(HANDCRAFT_THIRD_PARTY_perception
     Eigen3::Eigen opencv_core opencv_imgproc opencv_imgcodecs opencv_calib3d)
 set(HANDCRAFT_THIRD_PARTY_model_io nlohmann_json::nlohmann_json)
 set(HANDCRAFT_THIRD_PARTY_linear_algebra BLAS::BLAS LAPACK::LAPACK fmt::fmt)
 set(HANDCRAFT_THIRD_PARTY_datasets
     Eigen3::Eigen embree fmt::fmt nlohmann_json::nlohmann_json opencv_core opencv_imgproc
-    opencv_imgcodecs tinyxml2::tinyxml2 tomlplusplus::tomlplusplus ZLIB::ZLIB)
+    opencv_imgcodecs tomlplusplus::tomlplusplus ZLIB::ZLIB)
 set(HANDCRAFT_THIRD_PARTY_trainer Eigen3::Eigen fmt::fmt BLAS::BLAS LAPACK::LAPACK)
 set(HANDCRAFT_THIRD_PARTY_experiments
     fmt::fmt nlohmann_json::nlohmann_json opencv_core opencv_imgproc opencv_imgcodecs BLAS::BLAS

@@ -23,7 +23,8 @@ TEST(AllBenchmarks, HaveNamesOfTheirOwn) {
                            "search_space_vga",
                            "load_model",
                            "train_irls_154188x500",
-                           "pca_154188x500"}) {
+                           "pca_154188x500",
+                           "inverse_kinematics"}) {
     EXPECT_TRUE(names.contains(name)) << name;
   }
 }

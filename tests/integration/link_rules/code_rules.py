@@ -25,6 +25,7 @@ CPP_SUFFIXES = (".h", ".cc", ".c")
 THIRD_PARTY_HEADERS = {
     r"(unsupported/)?Eigen/": "Eigen3::Eigen",
     r"hwy/": "hwy_headers",
+    r"kdl/": "orocos_kdl",
     r"embree3/": "embree",
     r"opencv2/core[/.]": "opencv_core",
     r"opencv2/imgproc[/.]": "opencv_imgproc",

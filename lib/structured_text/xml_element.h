@@ -13,7 +13,7 @@ namespace tinyxml2 {
 class XMLElement;  // NOLINT(cppcoreguidelines-virtual-class-destructor): theirs; its tree frees it
 }  // namespace tinyxml2
 
-namespace handcraft::datasets {
+namespace handcraft {
 
 /// An element of an XML file that others wrote (XML 1.0 without document types: entities of a
 /// file's own are not expanded). Every function throws Error naming the file, the line and what was
@@ -54,4 +54,4 @@ class XmlElement {
   const tinyxml2::XMLElement* element_;
 };
 
-}  // namespace handcraft::datasets
+}  // namespace handcraft

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "datasets/formats/xml_element.h"
+#include "lib/structured_text/xml_element.h"
 
 #include <tinyxml2.h>
 
@@ -14,7 +14,7 @@
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 
-namespace handcraft::datasets {
+namespace handcraft {
 namespace {
 
 std::string Excerpt(std::string_view text) {
@@ -126,4 +126,4 @@ void XmlElement::Fail(const std::string& reason, const std::string& remedy) cons
                .remedy = remedy});
 }
 
-}  // namespace handcraft::datasets
+}  // namespace handcraft

@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "experiments/runner/toml_table.h"
+#include "lib/structured_text/toml_table.h"
 
 #include <array>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "datasets/formats/toml_file.h"
 #include "lib/core/error.h"
+#include "lib/structured_text/toml_file.h"
 #include "tests/support/expect_throws_message.h"
 
-namespace handcraft::experiments {
+namespace handcraft {
 namespace {
 
 using ::testing::AllOf;
@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 
 class TomlTableTest : public ::testing::Test {
  protected:
-  toml::table parsed_ = datasets::ParseToml(
+  toml::table parsed_ = ParseToml(
       "name = \"a\"\ncount = 3\nempty = \"\"\n[inner]\nshare = 0.5\n[[item]]\nx = 1\n[[item]]\nx = "
       "2\n",
       "f.toml");
@@ -56,9 +56,9 @@ TEST_F(TomlTableTest, RefusesUnknownKeysWithTheirLine) {
   constexpr std::array<std::string_view, 4> kKeys = {"name", "count", "empty", "item"};
   EXPECT_THROWS_MESSAGE(table_.AllowOnly(kKeys),
                         Error,
-                        AllOf(HasSubstr("f.toml:4: \"inner\" is no key of a study"),
+                        AllOf(HasSubstr("f.toml:4: \"inner\" is no key of this file"),
                               HasSubstr("there are: name, count, empty, item")));
 }
 
 }  // namespace
-}  // namespace handcraft::experiments
+}  // namespace handcraft

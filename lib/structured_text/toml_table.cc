@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "experiments/runner/toml_table.h"
+#include "lib/structured_text/toml_table.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,7 +11,7 @@
 
 #include "lib/core/error.h"
 
-namespace handcraft::experiments {
+namespace handcraft {
 
 TomlTable::TomlTable(std::string file, const toml::table& table, std::string name)
     : file_(std::move(file)), table_(table), name_(std::move(name)) {}
@@ -20,11 +20,11 @@ void TomlTable::AllowOnly(std::span<const std::string_view> keys) const {
   for (const auto& [key, node] : table_) {
     const std::string_view found = key.str();
     if (std::find(keys.begin(), keys.end(), found) != keys.end()) continue;
-    throw Error(
-        {.path = file_,
-         .line = key.source().begin.line,
-         .reason = fmt::format("\"{}\" is no key of {}", found, name_.empty() ? "a study" : name_),
-         .remedy = fmt::format("there are: {}", fmt::join(keys, ", "))});
+    throw Error({.path = file_,
+                 .line = key.source().begin.line,
+                 .reason = fmt::format(
+                     "\"{}\" is no key of {}", found, name_.empty() ? "this file" : name_),
+                 .remedy = fmt::format("there are: {}", fmt::join(keys, ", "))});
   }
 }
 
@@ -79,4 +79,4 @@ std::string TomlTable::NameOfKey(std::string_view key) const {
   return name_.empty() ? std::string(key) : fmt::format("{} {}", name_, key);
 }
 
-}  // namespace handcraft::experiments
+}  // namespace handcraft

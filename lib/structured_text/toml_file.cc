@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "datasets/formats/toml_file.h"
+#include "lib/structured_text/toml_file.h"
 
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 
-namespace handcraft::datasets {
+namespace handcraft {
 
 toml::table ReadTomlFile(const std::filesystem::path& path) {
   return ParseToml(ReadTextFile(path), path.string());
@@ -23,4 +23,4 @@ toml::table ParseToml(std::string_view text, const std::string& name) {
   }
 }
 
-}  // namespace handcraft::datasets
+}  // namespace handcraft

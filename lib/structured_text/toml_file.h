@@ -9,7 +9,7 @@
 
 #include <toml++/toml.h>
 
-namespace handcraft::datasets {
+namespace handcraft {
 
 /// Reads a TOML file. Throws Error naming path, line and fault when it cannot be read or is no
 /// TOML. Source: TOML v1.0.0.
@@ -18,4 +18,4 @@ namespace handcraft::datasets {
 /// The same of a text; messages name it `name`.
 [[nodiscard]] toml::table ParseToml(std::string_view text, const std::string& name);
 
-}  // namespace handcraft::datasets
+}  // namespace handcraft

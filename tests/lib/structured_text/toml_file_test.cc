@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "datasets/formats/toml_file.h"
+#include "lib/structured_text/toml_file.h"
 
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 #include "tests/support/expect_throws_message.h"
 #include "tests/support/temporary_directory.h"
 
-namespace handcraft::datasets {
+namespace handcraft {
 namespace {
 
 using ::testing::HasSubstr;
@@ -42,4 +42,4 @@ TEST(ParseToml, NamesTheLineOfTheFault) {
 }
 
 }  // namespace
-}  // namespace handcraft::datasets
+}  // namespace handcraft

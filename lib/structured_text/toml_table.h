@@ -11,7 +11,7 @@
 
 #include <toml++/toml.h>
 
-namespace handcraft::experiments {
+namespace handcraft {
 
 /// One table of a TOML file, read strictly. Every function throws Error with path and line for what
 /// is missing, of another type or out of range.
@@ -44,4 +44,4 @@ class TomlTable {
   std::string name_;
 };
 
-}  // namespace handcraft::experiments
+}  // namespace handcraft

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "datasets/formats/xml_element.h"
+#include "lib/structured_text/xml_element.h"
 
 #include <string>
 
@@ -10,7 +10,7 @@
 #include "tests/support/expect_throws_message.h"
 #include "tests/support/temporary_directory.h"
 
-namespace handcraft::datasets {
+namespace handcraft {
 namespace {
 
 using ::testing::AllOf;
@@ -80,4 +80,4 @@ TEST(XmlElement, RefusesTowersAndExpandsNoEntities) {
 }
 
 }  // namespace
-}  // namespace handcraft::datasets
+}  // namespace handcraft
