@@ -44,6 +44,29 @@ void PredictARow(const hc_model* model) {
   Require(hc_predict_row(model, row.data(), row.size(), &probability) == HC_OK);
 }
 
+void ClassifyARow(const hc_model* model) {
+  const std::vector<double> row(hc_model_num_features(model), 0.5);
+  hc_workspace* workspace = nullptr;
+  Require(hc_row_workspace_create(model, &workspace) == HC_OK);
+  hc_class_prediction prediction{};
+  Require(hc_classify_row(model, workspace, row.data(), row.size(), &prediction) == HC_OK);
+  Require(hc_model_class_name(model, static_cast<std::size_t>(prediction.number)) != nullptr);
+  hc_workspace_free(workspace);
+}
+
+void Use(const hc_model* model) {
+  switch (hc_model_kind(model)) {
+    case HC_KIND_GRASP_POINT:
+      return ScoreAPicture(model);
+    case HC_KIND_LOGISTIC:
+      return PredictARow(model);
+    case HC_KIND_SVM:
+      return ClassifyARow(model);
+    default:
+      return;
+  }
+}
+
 void Load(const Bytes& bytes) {
   hc_model* model = nullptr;
   hc_error error{};
@@ -55,11 +78,7 @@ void Load(const Bytes& bytes) {
     Require(error.byte_offset == UINT64_MAX || error.byte_offset <= bytes.size());
     return;
   }
-  if (hc_model_kind(model) == HC_KIND_GRASP_POINT) {
-    ScoreAPicture(model);
-  } else {
-    PredictARow(model);
-  }
+  Use(model);
   hc_model_free(model);
 }
 
