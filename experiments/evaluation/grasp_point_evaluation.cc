@@ -29,9 +29,10 @@ FloatImage ScoreRegion(const hc_model* model,
   SearchOutcome& search = score.search.emplace(
       SearchOutcome{.has_region = region.HasRegion(), .stages = region.stages});
   score.score_ms = 0.0;
+  for (const perception::SearchStage& stage : region.stages) score.score_ms += stage.time_ms;
   if (!search.has_region) return {picture.width(), picture.height()};
   RuntimeScores scores = ScoreWithRuntime(model, picture, path, &region.mask);
-  score.score_ms = scores.score_ms;
+  score.score_ms += scores.score_ms;
   search.stages.push_back({"scored", search.stages.back().num_pixels, scores.score_ms});
   return std::move(scores.probabilities);
 }

@@ -56,7 +56,7 @@ struct ImageScore {
   std::vector<BestPixel> best;       ///< up to best_pixels, best first
   std::vector<float> probabilities;  ///< of the drawn labelled pixels
   std::vector<std::uint8_t> labels;
-  double score_ms = 0.0;                     ///< of all pixels, or of those of the region
+  double score_ms = 0.0;                     ///< of all pixels; or to find and score the region
   std::optional<SearchOutcome> search = {};  ///< with EvaluationOptions.region
 };
 

@@ -140,6 +140,9 @@ CellResult ReadCellResult(const std::filesystem::path& path, const std::string& 
   const std::string remedy = "remove the file: its cell will be worked out again";
   try {
     CellResult result = FromJson(Json::parse(text));
+    if (result.groups.empty()) {
+      throw Error({.path = path.string(), .reason = "has no figures", .remedy = remedy});
+    }
     if (result.id == id) return result;
     throw Error({.path = path.string(),
                  .reason = "holds the cell " + result.id + ", not " + id,

@@ -40,6 +40,9 @@ double ParsePositive(const Setting& setting, double most, std::string_view rule)
 void ApplyFeatures(const Setting& setting, CellSettings& settings) {
   static_cast<void>(features::ParseFeatureSpec(setting.value));
   settings.features = setting.value;
+  // A specification always has a window; an energy only where it says so.
+  settings.window.reset();
+  if (setting.value.find("energy=") != std::string::npos) settings.energy.reset();
 }
 
 void ApplyEnergy(const Setting& setting, CellSettings& settings) {

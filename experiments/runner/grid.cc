@@ -26,6 +26,9 @@ std::vector<std::vector<Setting>> Combine(const std::vector<Factor>& factors) {
   return combinations;
 }
 
+// A file of this name has an ending and, while it is written, seven bytes more; 255 are allowed.
+constexpr std::size_t kMaxIdBytes = 230;
+
 // Features are written with commas and the like; a name of a file has none of / and blanks.
 std::string PlainText(const std::string& value) {
   std::string plain = value;
@@ -53,6 +56,15 @@ CellSettings SettingsOf(const Study& study, const Method& method, const Cell& ce
 
 // What no single setting can be blamed for.
 void CheckSettings(const Study& study, const Cell& cell) {
+  if (cell.id.size() > kMaxIdBytes) {
+    throw Error(
+        {.kind = Error::Kind::kUsage,
+         .reason = fmt::format("the name of cell {} is longer than the {} bytes that a file's "
+                               "may have",
+                               cell.id,
+                               kMaxIdBytes),
+         .remedy = "make methods with short names of these values, in place of [grid]"});
+  }
   const bool leaves_test_images = study.split == StudySplit::kManifest || study.test.has_value() ||
                                   cell.settings.training_share < 1.0;
   if (leaves_test_images) return;

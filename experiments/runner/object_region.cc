@@ -8,12 +8,14 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "datasets/formats/organised_cloud.h"
+#include "datasets/formats/set_fingerprint.h"
 #include "datasets/importers/depth_cloud.h"
 #include "datasets/synthetic/camera_file.h"
 #include "lib/core/check.h"
@@ -28,6 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kDepthUnitM = 0.001;  // docs/datasets.md: depth pictures hold millimetres
+constexpr const char* kParameters = "dataset.toml";
 constexpr double kFarthestM = 1000.0;
 
 std::vector<double> Numbers(const TomlTable& table, std::string_view key, std::size_t count) {
@@ -68,8 +71,7 @@ datasets::OrganisedCloud CloudOf(const datasets::LabelledImageSet& set,
   if (!cloud.empty()) return datasets::ReadPcd(set.root / cloud);
   const std::string depth = item.Companion(datasets::kDepth);
   const std::string scene = item.Companion(datasets::kScene);
-  const synthetic::PinholeCamera camera =
-      synthetic::ReadCameraFile(set.root / "dataset.toml").camera;
+  const synthetic::PinholeCamera camera = synthetic::ReadCameraFile(set.root / kParameters).camera;
   return datasets::CloudOfDepth(perception::ReadImage16(set.root / depth),
                                 kDepthUnitM,
                                 {.fx_px = camera.focal_px,
@@ -92,6 +94,22 @@ perception::SearchRegion FindObjectRegion(const datasets::LabelledImageSet& set,
   }
   perception::SearchRegionFinder finder({});
   return finder.Find(picture, {cloud.points, cloud.width, cloud.height});
+}
+
+std::string DepthFingerprint(const datasets::LabelledImageSet& set) {
+  const std::filesystem::path parameters = set.root / kParameters;
+  const auto digest_of = [&](const std::string& file) {
+    return file.empty() ? std::string() : datasets::FileDigest(set.root / file);
+  };
+  std::vector<std::string> lines;
+  for (const datasets::LabelledImage& item : set.items) {
+    lines.push_back(datasets::FingerprintLine(item.image,
+                                              {digest_of(item.Companion(datasets::kCloud)),
+                                               digest_of(item.Companion(datasets::kDepth)),
+                                               digest_of(item.Companion(datasets::kScene))}));
+  }
+  if (fs::exists(parameters)) lines.push_back(datasets::FileDigest(parameters));
+  return datasets::FingerprintOf(std::move(lines));
 }
 
 void RequireDepth(const datasets::LabelledImageSet& set) {

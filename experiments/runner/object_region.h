@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "datasets/formats/labelled_image_set.h"
 #include "lib/core/image.h"
@@ -23,5 +24,9 @@ namespace handcraft::experiments {
 /// Throws Error, saying how many pictures it is and naming the first, unless each picture of the
 /// set has what FindObjectRegion needs. Opens no file.
 void RequireDepth(const datasets::LabelledImageSet& set);
+
+/// SHA-256, in hexadecimal, over all that FindObjectRegion reads beside the pictures. Throws Error
+/// naming the file that cannot be read.
+[[nodiscard]] std::string DepthFingerprint(const datasets::LabelledImageSet& set);
 
 }  // namespace handcraft::experiments

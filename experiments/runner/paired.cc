@@ -78,24 +78,32 @@ std::vector<Pair> PairUp(Repetitions cells, Repetitions baseline, const std::str
 }
 
 template <class Statistic>
+Estimate EstimateOf(const std::vector<Pair>& pairs,
+                    Ratio Sums::*figure,
+                    const BootstrapOptions& options,
+                    const Statistic& statistic) {
+  return BootstrapOverGroups(
+      pairs.size(),
+      [&](std::span<const std::size_t> drawn) {
+        Ratio ours;
+        Ratio baseline;
+        for (const std::size_t i : drawn) {
+          ours += pairs[i].ours.*figure;
+          baseline += pairs[i].baseline.*figure;
+        }
+        return statistic(ours, baseline);
+      },
+      options.resamples,
+      options.seed,
+      options.num_threads);
+}
+
+template <class Statistic>
 PooledFigures Bootstrap(const std::vector<Pair>& pairs,
                         const BootstrapOptions& options,
                         const Statistic& statistic) {
   const auto estimate = [&](Ratio Sums::*figure) {
-    return BootstrapOverGroups(
-        pairs.size(),
-        [&](std::span<const std::size_t> drawn) {
-          Ratio ours;
-          Ratio baseline;
-          for (const std::size_t i : drawn) {
-            ours += pairs[i].ours.*figure;
-            baseline += pairs[i].baseline.*figure;
-          }
-          return statistic(ours, baseline);
-        },
-        options.resamples,
-        options.seed,
-        options.num_threads);
+    return EstimateOf(pairs, figure, options, statistic);
   };
   return {.num_images = pairs.size(),
           .best_pixel_accuracy = estimate(&Sums::best),
@@ -129,14 +137,21 @@ PooledFigures PoolFigures(Repetitions cells,
   return figures;
 }
 
-PooledFigures CompareFigures(Repetitions cells,
-                             Repetitions baseline,
-                             const std::string& object_class,
-                             const BootstrapOptions& options) {
-  return Bootstrap(
-      PairUp(cells, baseline, object_class), options, [](const Ratio& ours, const Ratio& other) {
-        return ours.Value() - other.Value();
-      });
+Difference CompareFigures(Repetitions cells,
+                          Repetitions baseline,
+                          const std::string& object_class,
+                          const BootstrapOptions& options) {
+  const auto subtract = [](const Ratio& ours, const Ratio& other) {
+    return ours.Value() - other.Value();
+  };
+  std::vector<Pair> pairs = PairUp(cells, baseline, object_class);
+  Difference difference{Bootstrap(pairs, options, subtract)};
+  std::erase_if(pairs, [](const Pair& pair) {
+    return !(pair.ours.best.count > 0.0 && pair.baseline.best.count > 0.0);
+  });
+  difference.num_images_with_both = pairs.size();
+  difference.best_pixel_accuracy_with_both = EstimateOf(pairs, &Sums::best, options, subtract);
+  return difference;
 }
 
 }  // namespace handcraft::experiments

@@ -32,6 +32,14 @@ struct PooledFigures {
   Estimate brier = {};
 };
 
+/// What one method gains over another.
+struct Difference : PooledFigures {
+  /// Pictures on which both have a best pixel that counts, and the difference of the accuracy over
+  /// them: a method that finds nothing on hard pictures is not better for it.
+  std::size_t num_images_with_both = 0;
+  Estimate best_pixel_accuracy_with_both = {};
+};
+
 /// Over the pictures of a class, over all when `object_class` is empty. A share of exactly 0 or 1
 /// has the interval of Wilson with as many trials as pictures that count.
 [[nodiscard]] PooledFigures PoolFigures(Repetitions cells,
@@ -42,9 +50,9 @@ struct PooledFigures {
 /// tested with in the same repetition. Both sides of a picture are drawn together: what makes it
 /// hard for both does not widen the interval. Figures that either side lacks are NaN.
 /// Source: Efron and Tibshirani 1993, "An Introduction to the Bootstrap", chapters 8 and 13.
-[[nodiscard]] PooledFigures CompareFigures(Repetitions cells,
-                                           Repetitions baseline,
-                                           const std::string& object_class,
-                                           const BootstrapOptions& options);
+[[nodiscard]] Difference CompareFigures(Repetitions cells,
+                                        Repetitions baseline,
+                                        const std::string& object_class,
+                                        const BootstrapOptions& options);
 
 }  // namespace handcraft::experiments

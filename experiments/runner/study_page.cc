@@ -82,8 +82,12 @@ std::string DifferencesText(const Study& study, const StudySummary& summary) {
     const auto& difference = series.by_class.back().difference;
     if (!difference) continue;
     rows += fmt::format("<tr><th scope=\"row\">{}</th>", EscapeHtml(series.label)) +
-            PointsCell(difference->best_pixel_accuracy) + PointsCell(difference->accuracy) +
-            PointsCell(difference->brier) + "</tr>\n";
+            PointsCell(difference->best_pixel_accuracy) +
+            PointsCell(difference->best_pixel_accuracy_with_both) +
+            fmt::format("<td class=\"number\">{} of {}</td>",
+                        difference->num_images_with_both,
+                        difference->num_images) +
+            PointsCell(difference->accuracy) + PointsCell(difference->brier) + "</tr>\n";
   }
   if (rows.empty()) return {};
   return fmt::format(
@@ -91,8 +95,13 @@ std::string DifferencesText(const Study& study, const StudySummary& summary) {
              "95 % intervals of the paired bootstrap over images. An interval without 0 is "
              "a difference that the images can tell.</p>\n<div class=\"scroll\"><table>",
              EscapeHtml(study.baseline)) +
-         HeadRow({"method", "best pixels", "accuracy at 0.5", "Brier score × 100"}) + "<tbody>\n" +
-         rows + "</tbody></table></div>\n";
+         HeadRow({"method",
+                  "best pixels",
+                  "where both have some",
+                  "images with both",
+                  "accuracy at 0.5",
+                  "Brier score × 100"}) +
+         "<tbody>\n" + rows + "</tbody></table></div>\n";
 }
 
 std::string FiguresText(const std::vector<PageFigure>& figures) {

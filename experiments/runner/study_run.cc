@@ -60,25 +60,45 @@ void PinData(const PinnedInputs& inputs, const StudyData& data) {
   if (data.test) inputs.Pin("data.test", data.test_fingerprint + "\n");
 }
 
-// Before anything is written. Made pictures have depth.
-void RequireDepthWhereNeeded(const Study& study, const std::vector<Cell>& cells) {
-  const bool is_needed = std::any_of(cells.begin(), cells.end(), [](const Cell& cell) {
+bool LooksOnTheObject(const std::vector<Cell>& cells) {
+  return std::any_of(cells.begin(), cells.end(), [](const Cell& cell) {
     return cell.settings.region == TestRegion::kObject;
   });
-  const DataSource& tested = study.test ? *study.test : study.train;
-  if (is_needed && !tested.folder.empty()) {
-    RequireDepth(datasets::ReadLabelledImageSet(tested.folder));
-  }
 }
 
-// What a killed run has left of files that were being written.
+// Before anything is written or made. Made pictures have depth.
+void RequireFolders(const Study& study, const std::vector<Cell>& cells) {
+  if (!study.train.folder.empty()) {
+    static_cast<void>(datasets::ReadLabelledImageSet(study.train.folder));
+  }
+  const DataSource& tested = study.test ? *study.test : study.train;
+  if (tested.folder.empty()) return;
+  const datasets::LabelledImageSet set = datasets::ReadLabelledImageSet(tested.folder);
+  if (LooksOnTheObject(cells)) RequireDepth(set);
+}
+
+// What a killed run has left of files that were being written: their names, a full stop and six
+// letters (WriteFileAtomically).
 void RemoveHalfWritten(const fs::path& cells) {
   std::vector<fs::path> left;
   for (const fs::directory_entry& entry : fs::directory_iterator(cells)) {
-    const fs::path ending = entry.path().extension();
-    if (ending != kResultEnding && ending != kModelEnding) left.push_back(entry.path());
+    const fs::path ending = entry.path().stem().extension();
+    const bool is_ours = ending == kResultEnding || ending == kModelEnding;
+    if (is_ours && entry.path().extension().string().size() == 7 && entry.is_regular_file()) {
+      left.push_back(entry.path());
+    }
   }
   for (const fs::path& path : left) fs::remove(path);
+}
+
+// A cell whose model is gone or damaged is worked out again.
+bool IsFinished(const fs::path& out, const Cell& cell) {
+  if (!fs::exists(ResultFileOf(out, cell))) return false;
+  try {
+    return LoadModel(ModelFileOf(out, cell)).get() != nullptr;
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 void WorkOutMissing(const StudyRun& run,
@@ -110,16 +130,20 @@ StudyRun RunStudy(const Study& study, const StudyRunOptions& options) {
   RequireOption(
       options.num_threads >= 1, "StudyRunOptions.num_threads", options.num_threads, "at least 1");
   StudyRun run{.study = study, .data = {}, .cells = MakeCells(study), .results = {}};
-  RequireDepthWhereNeeded(study, run.cells);
+  RequireFolders(study, run.cells);
   const PinnedInputs inputs(options.out);
   PinStudy(inputs, study);
   run.data = PrepareStudyData(study, options.out / "data", options.num_threads, options.progress);
   PinData(inputs, run.data);
+  if (LooksOnTheObject(run.cells)) {
+    inputs.Pin("data.depth",
+               DepthFingerprint(run.data.test ? *run.data.test : run.data.train) + "\n");
+  }
   fs::create_directories(options.out / "cells");
   RemoveHalfWritten(options.out / "cells");
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < run.cells.size(); ++i) {
-    if (!fs::exists(ResultFileOf(options.out, run.cells[i]))) missing.push_back(i);
+    if (!IsFinished(options.out, run.cells[i])) missing.push_back(i);
   }
   run.num_resumed = run.cells.size() - missing.size();
   WorkOutMissing(run, missing, options);

@@ -98,7 +98,7 @@ std::optional<ClaimVerdict> Judge(const Study& study, const std::vector<SeriesSu
   if (!study.claim) return std::nullopt;
   std::optional<ClaimVerdict> verdict;
   for (const SeriesSummary& series : all) {
-    const std::optional<PooledFigures>& difference = series.by_class.back().difference;
+    const std::optional<Difference>& difference = series.by_class.back().difference;
     if (!difference || std::isnan(difference->best_pixel_accuracy.value)) continue;
     const Estimate& gain = difference->best_pixel_accuracy;
     const Estimate loss = {
@@ -111,11 +111,17 @@ std::optional<ClaimVerdict> Judge(const Study& study, const std::vector<SeriesSu
   return verdict;
 }
 
-std::vector<std::string> ListWarnings(const StudyRun& run) {
+std::vector<std::string> ListWarnings(const StudyRun& run, const std::vector<SeriesSummary>& all) {
   std::vector<std::string> warnings;
   for (const CellResult& result : run.results) {
     if (result.termination == "converged" || result.termination == "solved") continue;
     warnings.push_back(fmt::format("{}: training ended as {}", result.id, result.termination));
+  }
+  for (const SeriesSummary& series : all) {
+    const std::optional<Difference>& difference = series.by_class.back().difference;
+    if (!difference || !std::isnan(difference->best_pixel_accuracy.value)) continue;
+    warnings.push_back(fmt::format(
+        "{}: no best pixel on labelled ground, so what it loses cannot be told", series.label));
   }
   return warnings;
 }
@@ -136,7 +142,7 @@ StudySummary SummariseStudy(const StudyRun& run, int num_threads) {
         SummariseClass(run, series, BaselineOf(run, summary.series, series), summary.classes[k]);
   });
   summary.verdict = Judge(run.study, summary.series);
-  summary.warnings = ListWarnings(run);
+  summary.warnings = ListWarnings(run, summary.series);
   return summary;
 }
 

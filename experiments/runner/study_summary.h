@@ -15,7 +15,7 @@ namespace handcraft::experiments {
 /// What a method does with one choice of factors on the pictures of a class, or on all.
 struct ClassSummary {
   PooledFigures figures;
-  std::optional<PooledFigures> difference = {};  ///< to the baseline; none for itself
+  std::optional<Difference> difference = {};  ///< to the baseline; none for itself
 };
 
 /// A method with one choice of factors, over all repetitions.

@@ -71,13 +71,20 @@ std::string ByClassText(const StudySummary& summary) {
 }
 
 std::string DifferencesText(const StudySummary& summary) {
-  std::string text =
-      Head({"method", "best pixels [points]", "accuracy [points]", "log-loss", "Brier score"});
+  std::string text = Head({"method",
+                           "best pixels [points]",
+                           "where both have some [points]",
+                           "images with both",
+                           "accuracy [points]",
+                           "log-loss",
+                           "Brier score"});
   for (const SeriesSummary& series : summary.series) {
-    const std::optional<PooledFigures>& difference = series.by_class.back().difference;
+    const std::optional<Difference>& difference = series.by_class.back().difference;
     if (!difference) continue;
     text += Row({series.label,
                  PointsText(difference->best_pixel_accuracy),
+                 PointsText(difference->best_pixel_accuracy_with_both),
+                 fmt::format("{} of {}", difference->num_images_with_both, difference->num_images),
                  PointsText(difference->accuracy),
                  SignedText(difference->log_loss),
                  SignedText(difference->brier)});

@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 
@@ -54,12 +55,23 @@ void WriteAll(const Descriptor& file, const fs::path& path, std::span<const std:
   }
 }
 
-// A temporary file, six letters of its name chosen by mkstemp, that goes away unless it was renamed
-// into place.
+std::string SixLetters() {
+  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz012345";
+  std::array<std::uint8_t, 6> bytes{};
+  if (::getentropy(bytes.data(), bytes.size()) != 0) return "temp00";
+  std::string letters;
+  for (const std::uint8_t byte : bytes) letters += kLetters[byte % kLetters.size()];
+  return letters;
+}
+
+// A temporary file, six letters behind the target's name, that goes away unless it was renamed into
+// place. mkstemp would leave the permissions to umask, which cannot be read without being set for
+// all threads; open applies it.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const fs::path& target)
-      : path_(target.string() + '.' + std::string(6, 'X')), descriptor_(::mkstemp(path_.data())) {
+      : path_(target.string() + '.' + SixLetters()),
+        descriptor_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)) {
     if (descriptor_.value() < 0) Fail(target, "create the file", errno);
   }
   ~TemporaryFile() {
@@ -73,9 +85,6 @@ class TemporaryFile {
   }
 
   void MoveTo(const fs::path& target) {
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    if (::fchmod(descriptor_.value(), 0666 & ~mask) != 0) Fail(target, "set permissions", errno);
     if (::fsync(descriptor_.value()) != 0) Fail(target, "write", errno);
     if (descriptor_.Close() != 0) Fail(target, "write", errno);
     if (::rename(path_.c_str(), target.c_str()) != 0) Fail(target, "replace the file", errno);

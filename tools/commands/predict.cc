@@ -146,6 +146,9 @@ Json PredictImage(const hc_model* model,
   if (prediction.region) {
     json["search"] = SearchJson(*prediction.region);
     stages += SearchTable(*prediction.region);
+    if (prediction.region->state != perception::SearchState::kFound) {
+      stages += fmt::format("{}: {}\n", path, perception::MessageOf(prediction.region->state));
+    }
   }
   if (folder != nullptr) {
     WriteFileAtomically(folder->Claim(OutputName(path, kPointsEnding)),

@@ -37,6 +37,9 @@ void PrintStudies(bool json, const Console& console) {
                     {"question", study.question},
                     {"num_cells_small", num_cells}});
   }
+  // It has a command of its own, and no cells.
+  table.AddRow(
+      {"feature-analysis", "-", "Which filters and window pixels matter (Figures 3.2, 3.3)"});
   if (json) {
     console.Print(list);
   } else {

@@ -89,5 +89,14 @@ TEST(ReadCellResult, RefusesOtherAndDamagedFiles) {
   }
 }
 
+TEST(ReadCellResult, RefusesOneWithoutFigures) {
+  const testing::TemporaryDirectory folder;
+  CellResult result = testing::SmallResult("a");
+  result.groups.clear();
+  WriteCellResult(folder / "cell.json", result);
+  EXPECT_THROWS_MESSAGE(
+      ReadCellResult(folder / "cell.json", "a"), Error, HasSubstr("has no figures"));
+}
+
 }  // namespace
 }  // namespace handcraft::experiments

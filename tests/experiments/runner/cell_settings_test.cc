@@ -91,5 +91,14 @@ TEST(SpecOf, ChangesEnergyAndWindowOfTheFeatures) {
             features::ParseFeatureSpec("all500,energy=log,window=3"));
 }
 
+TEST(SpecOf, LetsLaterFeaturesUndoWhatTheyNameThemselves) {
+  EXPECT_EQ(SpecOf(Applied({{"energy", "log"}, {"features", "edges54,energy=square"}})),
+            features::ParseFeatureSpec("edges54,energy=square"));
+  EXPECT_EQ(SpecOf(Applied({{"energy", "log"}, {"features", "edges54"}})),
+            features::ParseFeatureSpec("edges54,energy=log"));
+  EXPECT_EQ(SpecOf(Applied({{"window", "1"}, {"features", "window180"}})),
+            features::ParseFeatureSpec("window180"));
+}
+
 }  // namespace
 }  // namespace handcraft::experiments

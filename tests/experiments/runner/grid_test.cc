@@ -68,6 +68,12 @@ TEST(MakeCells, NamesFilesThatAFileSystemTakes) {
   EXPECT_EQ(MakeCells(study)[0].id, "laplacian,features=all500+energy=log,repetition=1");
 }
 
+TEST(MakeCells, RefusesNamesThatNoFileSystemTakes) {
+  Study study = testing::SmallStudy("data");
+  study.methods[0].name = std::string(240, 'm');
+  EXPECT_THROWS_MESSAGE(MakeCells(study), Error, HasSubstr("longer than the 230 bytes"));
+}
+
 TEST(MakeCells, RefusesToLeaveNothingToTestWith) {
   Study study = testing::SmallStudy("data");
   study.settings[1].value = "1";

@@ -114,6 +114,19 @@ TEST(CompareFigures, FindsNoDifferenceBetweenACellAndItself) {
   EXPECT_EQ(figures.brier.high, 0.0);
 }
 
+TEST(CompareFigures, TellsPicturesOnWhichOneFindsNothingApart) {
+  CellResult ours;
+  ours.images = {Picture("a", "mug", 5, 5), Picture("b", "mug", 9, 1), Picture("c", "mug", 0, 0)};
+  CellResult baseline;
+  baseline.images = {
+      Picture("a", "mug", 4, 6), Picture("b", "mug", 8, 2), Picture("c", "mug", 0, 9)};
+  const Difference figures = CompareFigures(Cells{&ours}, Cells{&baseline}, "", {});
+  EXPECT_EQ(figures.num_images, 3U);
+  EXPECT_NEAR(figures.best_pixel_accuracy.value, 14.0 / 20.0 - 12.0 / 29.0, 1e-12);
+  EXPECT_EQ(figures.num_images_with_both, 2U);
+  EXPECT_NEAR(figures.best_pixel_accuracy_with_both.value, 0.1, 1e-12);
+}
+
 TEST(CompareFigures, LooksAtPicturesThatBothHaveAlone) {
   CellResult ours;
   ours.images = {Picture("a", "mug", 5, 5), Picture("b", "mug", 9, 1)};

@@ -87,6 +87,36 @@ TEST_F(RunStudyTest, DoesNotRedoFinishedCells) {
   EXPECT_EQ(std::filesystem::last_write_time(file), written);
 }
 
+TEST_F(RunStudyTest, WorksOutAgainWhatHasLostItsModel) {
+  const StudyRun first = Run("out");
+  const std::string results = ResultsOf("out");
+  const std::filesystem::path model = ModelFileOf(folder_ / "out", first.cells[1]);
+  std::filesystem::remove(model);
+  WriteFileAtomically(ModelFileOf(folder_ / "out", first.cells[2]), "half");
+  EXPECT_EQ(Run("out").num_resumed, 6U);
+  EXPECT_TRUE(std::filesystem::exists(model));
+  EXPECT_EQ(ResultsOf("out"), results);
+}
+
+TEST_F(RunStudyTest, LeavesTheFilesOfOthers) {
+  const StudyRun first = Run("out");
+  const std::filesystem::path file = ResultFileOf(folder_ / "out", first.cells[0]);
+  WriteFileAtomically(file.parent_path() / "notes.txt", "mine");
+  WriteFileAtomically(file.string() + ".abc123", "half a result");
+  std::filesystem::create_directories(file.parent_path() / "folder.d/deep");
+  static_cast<void>(Run("out"));
+  EXPECT_EQ(ReadTextFile(file.parent_path() / "notes.txt"), "mine");
+  EXPECT_TRUE(std::filesystem::exists(file.parent_path() / "folder.d/deep"));
+  EXPECT_FALSE(std::filesystem::exists(file.string() + ".abc123"));
+}
+
+TEST_F(RunStudyTest, MakesNothingBeforeAllFoldersAreThere) {
+  study_.train = {.family = "novel", .num_images = 1};
+  study_.test = DataSource{.folder = (folder_ / "nowhere").string()};
+  EXPECT_THROWS_MESSAGE(Run("out"), Error, HasSubstr("nowhere"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
 TEST_F(RunStudyTest, RefusesAnotherStudyByName) {
   static_cast<void>(Run("out"));
   study_.settings[0].value = "150";
@@ -134,6 +164,10 @@ TEST_F(RunStudyTest, TellsTheStagesOfTheSearchSpace) {
   EXPECT_EQ(run.results[1].search_space.stages.front().num_pixels, 160.0 * 120.0);
   EXPECT_THAT(ReadTextFile(folder_ / "out/search_space.csv"),
               HasSubstr("\"edge,repetition=1\",0,region,"));
+  const std::string depth = set.items[0].Companion(datasets::kDepth);
+  WriteFileAtomically(set.root / depth,
+                      ReadTextFile(set.root / set.items[1].Companion(datasets::kDepth)));
+  EXPECT_THROWS_MESSAGE(Run("out"), Error, HasSubstr("another input \"data.depth\""));
 }
 
 TEST_F(RunStudyTest, RefusesNoThreads) {

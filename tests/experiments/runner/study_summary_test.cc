@@ -50,6 +50,16 @@ TEST(SummariseStudy, JudgesTheClaim) {
   EXPECT_FALSE(SummariseStudy(run, 1).verdict);
 }
 
+TEST(SummariseStudy, WarnsWhereALossCannotBeTold) {
+  StudyRun run = testing::SmallRun();
+  for (CellResult& result : run.results) {
+    if (result.id.find("edge,ridge=2") != 0) continue;
+    for (ImageFigures& image : result.images) image.best = {};
+  }
+  EXPECT_THAT(SummariseStudy(run, 1).warnings,
+              ElementsAre(HasSubstr("edge, ridge = 2: no best pixel")));
+}
+
 TEST(SummariseStudy, WarnsOfTrainingWithoutOptimum) {
   StudyRun run = testing::SmallRun();
   EXPECT_TRUE(SummariseStudy(run, 1).warnings.empty());

@@ -22,7 +22,8 @@ TEST(SummaryMarkdown, TellsFiguresDifferencesAndInputs) {
   EXPECT_THAT(TextOf(testing::SmallRun()),
               AllOf(StartsWith("# Rough <or> smooth\n\nWhich filter?\n"),
                     HasSubstr("| all | 6 | 80.0 % [80.0, 80.0] % | 70.0 % [70.0, 70.0] % |"),
-                    HasSubstr("| edge, ridge = 0.5 | -10.00 [-10.00, -10.00] |"),
+                    HasSubstr("| edge, ridge = 0.5 | -10.00 [-10.00, -10.00] | -10.00 [-10.00, "
+                              "-10.00] | 6 of 6 |"),
                     HasSubstr("- seed = 1\n"),
                     HasSubstr("0123abcd"),
                     Not(HasSubstr("## Warnings"))));

@@ -8,6 +8,8 @@
 #include <unistd.h>
 
 #include <iterator>
+#include <thread>
+#include <vector>
 
 #include "lib/core/error.h"
 #include "tests/support/expect_throws_message.h"
@@ -57,6 +59,25 @@ TEST(WriteFileAtomically, ReplacesAFileAndLeavesNothingElse) {
   WriteFileAtomically(folder / "f", "new");
   EXPECT_EQ(ReadTextFile(folder / "f"), "new");
   EXPECT_EQ(NumEntries(folder.path()), 1U);
+}
+
+// umask is the process's: to read it is to set it, for other threads that create files too.
+TEST(WriteFileAtomically, GivesPermissionsByUmaskWhateverOtherThreadsDo) {
+  const testing::TemporaryDirectory folder;
+  const mode_t before = ::umask(027);
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 8; ++t) {
+    threads.emplace_back([&folder, t] {
+      for (int i = 0; i < 10; ++i) {
+        WriteFileAtomically(folder / (std::to_string(t) + "_" + std::to_string(i)), "text");
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(::umask(before), 027U);
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    EXPECT_EQ(static_cast<unsigned>(entry.status().permissions()), 0640U) << entry.path();
+  }
 }
 
 TEST(WriteFileAtomically, ReplacesTheTargetOfALink) {

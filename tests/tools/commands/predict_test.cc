@@ -206,6 +206,12 @@ TEST_F(PredictRegionTest, PrintsTheStages) {
                     HasSubstr("scored")));
 }
 
+TEST_F(PredictRegionTest, SaysThatThereIsNoTable) {
+  const Outcome outcome = PredictBlock(" --up 1 0 0");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("block.png: No support was found"));
+}
+
 TEST_F(PredictRegionTest, SaysThatNothingStandsOnTheTable) {
   WriteCloud(perception::testing::Table(80, 60));
   const Outcome outcome = PredictBlock(OutOption());

@@ -20,6 +20,7 @@ TEST(StudyList, ShowsEveryShippedStudy) {
   for (const experiments::ShippedStudy& study : experiments::ShippedStudies()) {
     EXPECT_THAT(outcome.out, HasSubstr(std::string(study.name)));
   }
+  EXPECT_THAT(outcome.out, HasSubstr("feature-analysis"));
 }
 
 TEST(StudyList, ShowsThemToMachines) {
