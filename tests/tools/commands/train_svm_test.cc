@@ -89,10 +89,9 @@ TEST(TrainSvm, WritesAModelThatIsCheckedEvaluatedAndPredictedWith) {
 TEST(TrainSvm, WritesTheSameModelForOneAndTwoThreads) {
   const TemporaryDirectory folder;
   for (const std::string threads : {"1", "2"}) {
-    ASSERT_EQ(RunLine("train svm " + kReferences + ".libsvm --threads " + threads + " --out " +
-                      (folder / threads).string())
-                  .code,
-              0);
+    std::string line = "train svm " + kReferences;
+    line.append(".libsvm --threads ").append(threads).append(" --out ");
+    ASSERT_EQ(RunLine(line + (folder / threads).string()).code, 0);
   }
   EXPECT_EQ(ReadFile(folder / "1"), ReadFile(folder / "2"));
 }
