@@ -82,7 +82,7 @@ TEST(PoolFigures, TakesAPicturesRepetitionsTogether) {
 
 TEST(CompareFigures, KnowsADifferenceThatEveryPictureAgreesOn) {
   const TwoCells cells = RandomCells();
-  const PooledFigures figures = CompareFigures(Cells{&cells.ours}, Cells{&cells.baseline}, "", {});
+  const Difference figures = CompareFigures(Cells{&cells.ours}, Cells{&cells.baseline}, "", {});
   // Two more of ten best pixels on every picture: nothing varies, whatever the pictures are like.
   EXPECT_NEAR(figures.best_pixel_accuracy.value, 0.2, 1e-12);
   EXPECT_NEAR(figures.best_pixel_accuracy.low, 0.2, 1e-12);
@@ -96,8 +96,8 @@ TEST(CompareFigures, IsTheDifferenceOfTheFiguresAndChangesSignWithTheSides) {
   const Cells ours = {&cells.ours};
   const Cells baseline = {&cells.baseline};
   for (const std::string object_class : {"", "mug"}) {
-    const PooledFigures difference = CompareFigures(ours, baseline, object_class, {});
-    const PooledFigures turned = CompareFigures(baseline, ours, object_class, {});
+    const Difference difference = CompareFigures(ours, baseline, object_class, {});
+    const Difference turned = CompareFigures(baseline, ours, object_class, {});
     EXPECT_NEAR(difference.log_loss.value,
                 PoolFigures(ours, object_class, {}).log_loss.value -
                     PoolFigures(baseline, object_class, {}).log_loss.value,
@@ -108,7 +108,7 @@ TEST(CompareFigures, IsTheDifferenceOfTheFiguresAndChangesSignWithTheSides) {
 
 TEST(CompareFigures, FindsNoDifferenceBetweenACellAndItself) {
   const TwoCells cells = RandomCells();
-  const PooledFigures figures = CompareFigures(Cells{&cells.ours}, Cells{&cells.ours}, "", {});
+  const Difference figures = CompareFigures(Cells{&cells.ours}, Cells{&cells.ours}, "", {});
   EXPECT_EQ(figures.brier.value, 0.0);
   EXPECT_EQ(figures.brier.low, 0.0);
   EXPECT_EQ(figures.brier.high, 0.0);
@@ -132,7 +132,7 @@ TEST(CompareFigures, LooksAtPicturesThatBothHaveAlone) {
   ours.images = {Picture("a", "mug", 5, 5), Picture("b", "mug", 9, 1)};
   CellResult baseline;
   baseline.images = {Picture("c", "mug", 0, 9), Picture("a", "mug", 4, 6)};
-  const PooledFigures figures = CompareFigures(Cells{&ours}, Cells{&baseline}, "", {});
+  const Difference figures = CompareFigures(Cells{&ours}, Cells{&baseline}, "", {});
   EXPECT_EQ(figures.num_images, 1U);
   EXPECT_NEAR(figures.best_pixel_accuracy.value, 0.1, 1e-12);
   EXPECT_TRUE(std::isnan(figures.best_pixel_accuracy.low));  // one picture tells of no spread
@@ -140,9 +140,9 @@ TEST(CompareFigures, LooksAtPicturesThatBothHaveAlone) {
 
 TEST(CompareFigures, GivesTheSameForAnyNumberOfThreads) {
   const TwoCells cells = RandomCells();
-  const PooledFigures one =
+  const Difference one =
       CompareFigures(Cells{&cells.ours}, Cells{&cells.baseline}, "mug", {.num_threads = 1});
-  const PooledFigures three =
+  const Difference three =
       CompareFigures(Cells{&cells.ours}, Cells{&cells.baseline}, "mug", {.num_threads = 3});
   EXPECT_EQ(one.log_loss.low, three.log_loss.low);
   EXPECT_EQ(one.log_loss.high, three.log_loss.high);

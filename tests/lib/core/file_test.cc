@@ -66,6 +66,7 @@ TEST(WriteFileAtomically, GivesPermissionsByUmaskWhateverOtherThreadsDo) {
   const testing::TemporaryDirectory folder;
   const mode_t before = ::umask(027);
   std::vector<std::thread> threads;
+  threads.reserve(8);
   for (int t = 0; t < 8; ++t) {
     threads.emplace_back([&folder, t] {
       for (int i = 0; i < 10; ++i) {
