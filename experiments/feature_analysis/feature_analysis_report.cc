@@ -45,8 +45,11 @@ std::string Share(double share, Reader reader) {
   return reader == Reader::kPeople ? fmt::format("{:.2f} %", 100.0 * share) : NumberToText(share);
 }
 
-ReportTable FilterTable(const FeatureAnalysis& analysis, Reader reader) {
-  ReportTable table{.head = {"filter"}, .rows = {}};
+// Two columns for each spectrum: the share of the energy and the rank by it. Returns the ranks.
+std::vector<std::vector<std::size_t>> AddShareColumns(const FeatureAnalysis& analysis,
+                                                      std::vector<double> EnergySpectrum::*shares,
+                                                      Reader reader,
+                                                      ReportTable& table) {
   std::vector<std::vector<std::size_t>> ranks;
   for (const EnergySpectrum& spectrum : analysis.spectra) {
     const bool people = reader == Reader::kPeople;
@@ -54,8 +57,14 @@ ReportTable FilterTable(const FeatureAnalysis& analysis, Reader reader) {
         people ? TitleOf(spectrum.scaling) : std::string(NameOf(spectrum.scaling));
     table.head.push_back(people ? "energy, " + name : "energy_share_" + name);
     table.head.push_back(people ? "rank" : "energy_rank_" + name);
-    ranks.push_back(RanksOf(spectrum.filter_shares));
+    ranks.push_back(RanksOf(spectrum.*shares));
   }
+  return ranks;
+}
+
+ReportTable FilterTable(const FeatureAnalysis& analysis, Reader reader) {
+  ReportTable table{.head = {"filter"}, .rows = {}};
+  const auto ranks = AddShareColumns(analysis, &EnergySpectrum::filter_shares, reader, table);
   table.head.emplace_back(reader == Reader::kPeople ? "rank by usefulness" : "usefulness_rank");
   table.head.emplace_back(reader == Reader::kPeople ? "log-loss once it is gone"
                                                     : "log_loss_without");
@@ -79,17 +88,17 @@ ReportTable FilterTable(const FeatureAnalysis& analysis, Reader reader) {
   return table;
 }
 
-ReportTable PositionTable(const FeatureAnalysis& analysis) {
+ReportTable PositionTable(const FeatureAnalysis& analysis, Reader reader) {
   ReportTable table{.head = {"position"}, .rows = {}};
-  for (const EnergySpectrum& spectrum : analysis.spectra) {
-    table.head.push_back("energy_share_" + std::string(NameOf(spectrum.scaling)));
-  }
+  const auto ranks = AddShareColumns(analysis, &EnergySpectrum::position_shares, reader, table);
   const std::vector<std::string> names = PositionNames(analysis.options.spec);
   for (std::size_t p = 0; p < names.size(); ++p) {
-    table.rows.push_back({names[p]});
-    for (const EnergySpectrum& spectrum : analysis.spectra) {
-      table.rows.back().push_back(NumberToText(spectrum.position_shares[p]));
+    std::vector<std::string> row = {names[p]};
+    for (std::size_t s = 0; s < analysis.spectra.size(); ++s) {
+      row.push_back(Share(analysis.spectra[s].position_shares[p], reader));
+      row.push_back(std::to_string(ranks[s][p]));
     }
+    table.rows.push_back(std::move(row));
   }
   return table;
 }
@@ -267,8 +276,11 @@ constexpr std::string_view kUsefulnessNote =
     "has not seen; the one that stays to the last is rank 1. The held-out pixels choose, so these "
     "figures "
     "are somewhat too good: measure what you choose on other pictures.";
-constexpr std::string_view kRingNote =
-    "Height of the first eigenvector's peaks at the pixels of a ring, over the highest peak.";
+constexpr std::string_view kSpectrumNote =
+    "Eigenvalues over the largest, and how many components hold a share of their sum.";
+constexpr std::string_view kWindowNote =
+    "A pixel's share of the same energy, rank 1 the largest; and the height of the first "
+    "eigenvector's peaks at the pixels of a ring around the middle, over the highest peak.";
 constexpr std::string_view kHypothesisNote =
     "Log-loss in nats a pixel, below is better; the interval is a 95 % bootstrap over held-out "
     "objects.";
@@ -281,7 +293,9 @@ std::string MarkdownReport(const FeatureAnalysis& analysis, const std::string& d
           "\n\n" + MarkdownText(FilterTable(analysis, Reader::kPeople));
   text += "## Components that hold 90, 95 and 99 % of the energy\n\n" +
           MarkdownText(ComponentTable(analysis));
-  text += "## Window\n\n" + std::string(kRingNote) + "\n\n" + MarkdownText(RingTable(analysis));
+  text += "## Window\n\n" + std::string(kWindowNote) + "\n\n" +
+          MarkdownText(PositionTable(analysis, Reader::kPeople)) +
+          MarkdownText(RingTable(analysis));
   text.pop_back();
   return text;
 }
@@ -304,14 +318,14 @@ std::string HtmlReport(const FeatureAnalysis& analysis, const std::string& data_
   body += Section(
       "What may be dropped", kHypothesisNote, HtmlText(HypothesisTable(analysis, Reader::kPeople)));
   body += Section("Filters: energy and usefulness",
-                  kUsefulnessNote,
+                  std::string(kEnergyNote) + " " + std::string(kUsefulnessNote),
                   Figure(PlotRankings(analysis),
                          "Green: edge masks; blue: Laws masks; brown: Sobel and Laplacian.") +
                       Figure(PlotElimination(analysis),
                              "Bars: 95 % interval of the increase above all filters (dashed).") +
                       HtmlText(FilterTable(analysis, Reader::kPeople)));
   body += Section("Spectrum",
-                  kEnergyNote,
+                  kSpectrumNote,
                   Figure(PlotEigenvalues(analysis.spectra),
                          "Eigenvalues of the covariance, by units of the features.") +
                       HtmlText(ComponentTable(analysis)));
@@ -320,7 +334,13 @@ std::string HtmlReport(const FeatureAnalysis& analysis, const std::string& data_
     components += Figure(PlotFirstComponent(spectrum, analysis.options.spec),
                          "First eigenvector, " + TitleOf(spectrum.scaling) + ".");
   }
-  body += Section("First eigenvector", kRingNote, components + HtmlText(RingTable(analysis)));
+  body += Section("First eigenvector",
+                  "Its coefficients in the order of the features: a period for each window pixel.",
+                  components);
+  body +=
+      Section("Window",
+              kWindowNote,
+              HtmlText(RingTable(analysis)) + HtmlText(PositionTable(analysis, Reader::kPeople)));
   body += fmt::format("<footer>Data <code>{}</code>. Features:", analysis.data_fingerprint);
   for (const features::Filter filter : analysis.options.spec.filters) {
     body += fmt::format(" {}", features::NameOf(filter));
@@ -350,7 +370,7 @@ std::map<std::string, std::string> FeatureAnalysisFiles(const FeatureAnalysis& a
       {"report.html", HtmlReport(analysis, data_name)},
       {"results.json", JsonText(ToJson(analysis))},
       {"filters.csv", CsvText(FilterTable(analysis, Reader::kMachines))},
-      {"positions.csv", CsvText(PositionTable(analysis))},
+      {"positions.csv", CsvText(PositionTable(analysis, Reader::kMachines))},
       {"eigenvalues.csv", CsvText(EigenvalueTable(analysis))},
       {"elimination.csv", CsvText(EliminationTable(analysis))},
       {"hypotheses.csv", CsvText(HypothesisTable(analysis, Reader::kMachines))},

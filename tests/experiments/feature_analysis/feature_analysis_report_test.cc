@@ -52,7 +52,8 @@ TEST(FeatureAnalysisReport, WritesTablesForMachines) {
             "1,laws_LL,1,0.52,0.79,0.02,-0.01,0.05\n");
   EXPECT_EQ(files.at("eigenvalues.csv"), "component,raw,standard\n1,100,1.5\n2,1,0.5\n");
   EXPECT_EQ(files.at("positions.csv"),
-            "position,energy_share_raw,energy_share_standard\n\"(0,0)\",1,1\n");
+            "position,energy_share_raw,energy_rank_raw,energy_share_standard,energy_rank_standard\n"
+            "\"(0,0)\",1,1,1,1\n");
   EXPECT_THAT(files.at("hypotheses.csv"),
               HasSubstr("\n\"energy, raw, 1: filters\",\"filters=laws_LL,window=1,energy=square,"
                         "scales=none\",1,0.61,0.7,0.11,0.02,0.2\n"));
