@@ -33,6 +33,8 @@ void AddEvaluate(CLI::App& parent, const Console& console);
 void AddPredict(CLI::App& parent, const Console& console);
 void AddInspect(CLI::App& parent, const Console& console);
 void AddCheckModel(CLI::App& parent, const Console& console);
+void AddExport(CLI::App& parent, const Console& console);
+void AddImport(CLI::App& parent, const Console& console);
 void AddStudy(CLI::App& parent, const Console& console);
 void AddStudyFeatureAnalysis(CLI::App& parent, const Console& console);
 void AddBench(CLI::App& parent, const Console& console);

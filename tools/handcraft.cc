@@ -70,6 +70,8 @@ void AddCommands(CLI::App& app, const Console& console) {
   AddPredict(app, console);
   AddInspect(app, console);
   AddCheckModel(app, console);
+  AddExport(app, console);
+  AddImport(app, console);
   AddRobot(app, console);
   AddStudy(app, console);
   AddBench(app, console);

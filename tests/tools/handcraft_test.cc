@@ -39,6 +39,7 @@ const std::vector<std::string>& AllCommands() {
                                                     "data import cornell",
                                                     "train grasp-points",
                                                     "train logistic",
+                                                    "train svm",
                                                     "evaluate",
                                                     "predict",
                                                     "inspect",

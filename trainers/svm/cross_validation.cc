@@ -11,6 +11,7 @@
 
 #include "lib/core/check.h"
 #include "lib/core/error.h"
+#include "lib/core/option_rules.h"
 #include "lib/core/parallel.h"
 #include "lib/features/class_vote.h"
 #include "trainers/svm/machine.h"
@@ -95,6 +96,25 @@ std::vector<std::uint32_t> LeaveOneOutFolds(std::size_t num_samples) {
   return folds;
 }
 
+std::vector<std::uint32_t> StratifiedFolds(std::span<const std::uint32_t> classes,
+                                           std::size_t num_folds) {
+  std::map<std::uint32_t, std::size_t> counts;
+  for (const std::uint32_t c : classes) ++counts[c];
+  std::size_t fewest = classes.size();
+  for (const auto& [c, count] : counts) fewest = std::min(fewest, count);
+  RequireOption(num_folds >= 2 && num_folds <= fewest,
+                "num_folds",
+                num_folds,
+                fmt::format("from 2 to {}, the rows of the smallest class", fewest));
+  std::map<std::uint32_t, std::size_t> next;
+  std::vector<std::uint32_t> folds;
+  folds.reserve(classes.size());
+  for (const std::uint32_t c : classes) {
+    folds.push_back(static_cast<std::uint32_t>(next[c]++ % num_folds));
+  }
+  return folds;
+}
+
 CrossValidation CrossValidate(const SampleMatrix& gram,
                               const Samples& samples,
                               std::span<const std::uint32_t> folds,
@@ -127,5 +147,30 @@ CrossValidation CrossValidate(const SampleMatrix& gram,
   validation.accuracy = static_cast<double>(validation.num_correct) / static_cast<double>(n);
   return validation;
 }
+
+template <class T>
+CrossValidation CrossValidateRows(const DesignMatrix<T>& X,
+                                  std::span<const std::uint32_t> classes,
+                                  std::span<const std::uint32_t> folds,
+                                  const Options& options) {
+  options.Validate();
+  const Samples samples =
+      PrepareSamples(X, classes, options.standardize ? FitNormaliser(X) : Normaliser{});
+  const SampleMatrix gram =
+      ComputeGram(ComputeInnerProducts(samples, options.num_threads, options.progress),
+                  options.SimilarityFor(X.num_features),
+                  samples,
+                  options.num_threads);
+  return CrossValidate(gram, samples, folds, options);
+}
+
+template CrossValidation CrossValidateRows(const DesignMatrix<float>&,
+                                           std::span<const std::uint32_t>,
+                                           std::span<const std::uint32_t>,
+                                           const Options&);
+template CrossValidation CrossValidateRows(const DesignMatrix<double>&,
+                                           std::span<const std::uint32_t>,
+                                           std::span<const std::uint32_t>,
+                                           const Options&);
 
 }  // namespace handcraft::svm

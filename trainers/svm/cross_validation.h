@@ -27,6 +27,12 @@ struct CrossValidation {
 /// A fold for each of `num_samples` rows: every row is a fold of its own.
 [[nodiscard]] std::vector<std::uint32_t> LeaveOneOutFolds(std::size_t num_samples);
 
+/// `num_folds` folds that each hold the same share of every class, or differ by one row: the i-th
+/// row of a class is in fold i modulo num_folds. Throws Error(kUsage) unless num_folds is at least
+/// 2 and no more than the rows of the smallest class.
+[[nodiscard]] std::vector<std::uint32_t> StratifiedFolds(std::span<const std::uint32_t> classes,
+                                                         std::size_t num_folds);
+
 /// Predicts each fold by a model of the other folds, over one Gram matrix. A machine is trained
 /// again only for the folds that hold samples of its classes: leaving one of n classes' samples out
 /// trains n − 1 pairs, and the others are those of all samples. Every machine is, bit for bit, the
@@ -40,5 +46,21 @@ struct CrossValidation {
                                             const Samples& samples,
                                             std::span<const std::uint32_t> folds,
                                             const Options& options);
+
+/// The same from a table: prepares samples (standardised if the options say so) and their Gram
+/// matrix. Throws as PrepareSamples, ComputeInnerProducts and ComputeGram do besides.
+template <class T>
+[[nodiscard]] CrossValidation CrossValidateRows(const DesignMatrix<T>& X,
+                                                std::span<const std::uint32_t> classes,
+                                                std::span<const std::uint32_t> folds,
+                                                const Options& options);
+extern template CrossValidation CrossValidateRows(const DesignMatrix<float>&,
+                                                  std::span<const std::uint32_t>,
+                                                  std::span<const std::uint32_t>,
+                                                  const Options&);
+extern template CrossValidation CrossValidateRows(const DesignMatrix<double>&,
+                                                  std::span<const std::uint32_t>,
+                                                  std::span<const std::uint32_t>,
+                                                  const Options&);
 
 }  // namespace handcraft::svm

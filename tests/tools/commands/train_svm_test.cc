@@ -18,6 +18,7 @@ namespace {
 using handcraft::testing::TemporaryDirectory;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::NumEntries;
 using testing::Outcome;
 using testing::RunLine;
@@ -94,6 +95,36 @@ TEST(TrainSvm, WritesTheSameModelForOneAndTwoThreads) {
     ASSERT_EQ(RunLine(line + (folder / threads).string()).code, 0);
   }
   EXPECT_EQ(ReadFile(folder / "1"), ReadFile(folder / "2"));
+}
+
+TEST(TrainSvm, SetsTheThresholdOfNoneOfTheseByHeldOutAndNovelRows) {
+  const TemporaryDirectory folder;
+  // Two tight classes; novel rows lie between them.
+  std::string known = "x,y,label\n";
+  std::string novel = "y,x\n";
+  for (int i = 0; i < 12; ++i) {
+    const std::string off = std::to_string(0.01 * i);
+    known += "0," + off + ",a\n10," + off + ",b\n";
+    novel += off + "," + std::to_string(4.5 + 0.1 * i) + "\n";
+  }
+  WriteFileAtomically(folder / "known.csv", known);
+  WriteFileAtomically(folder / "novel.csv", novel);
+  const std::string model = (folder / "m").string();
+  const std::string line = "train svm " + (folder / "known.csv").string() +
+                           " --label label --kernel linear --novel " +
+                           (folder / "novel.csv").string();
+  EXPECT_THAT(RunLine(line).err, HasSubstr("--novel needs --folds"));
+  const Outcome outcome = RunLine(line + " --folds 4 --json --out " + model);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["held_out_accuracy"], 1.0);
+  EXPECT_EQ(json["false_rejection"], 0.0);
+  EXPECT_EQ(json["false_acceptance"], 0.0);
+  const Outcome predicted = RunLine("predict " + model + " " + (folder / "novel.csv").string());
+  EXPECT_THAT(predicted.out, HasSubstr("class,margin\n,"));
+  EXPECT_THAT(predicted.out, Not(HasSubstr("a,")));
+  EXPECT_THAT(RunLine(line + " --folds 4").out, HasSubstr("None of these below a margin of"));
+  EXPECT_THAT(RunLine(line + " --folds 13").err, HasSubstr("must be from 2 to 12"));
 }
 
 TEST(TrainSvm, RefusesWhatItCannotTrainOn) {

@@ -105,6 +105,16 @@ TEST(CrossValidate, TrainsOnlyWhatAFoldTouches) {
   EXPECT_EQ(validation.accuracy, static_cast<double>(num_correct) / 20.0);
 }
 
+TEST(CrossValidateRows, IsTheSameFromATable) {
+  const auto drawn = DrawClasses<float>({.num_classes = 3, .samples_per_class = 8}, 16);
+  const std::vector<std::uint32_t> folds = StratifiedFolds(drawn.classes, 4);
+  const Options options{.coef0 = 1.0, .standardize = true};
+  const Samples samples =
+      PrepareSamples(drawn.Matrix(), drawn.classes, FitNormaliser(drawn.Matrix()));
+  EXPECT_EQ(CrossValidateRows(drawn.Matrix(), drawn.classes, folds, options).margins,
+            CrossValidate(GramOf(samples, options), samples, folds, options).margins);
+}
+
 TEST(CrossValidate, ThreadsChangeNoBit) {
   const auto drawn = DrawClasses<double>({.num_classes = 5, .samples_per_class = 6}, 14);
   const Samples samples = PrepareSamples(drawn.Matrix(), drawn.classes, {});
@@ -116,6 +126,15 @@ TEST(CrossValidate, ThreadsChangeNoBit) {
   EXPECT_EQ(one.predicted, three.predicted);
   EXPECT_EQ(one.margins, three.margins);
   EXPECT_EQ(one.iterations, three.iterations);
+}
+
+TEST(StratifiedFolds, HoldTheSameShareOfEveryClass) {
+  const std::vector<std::uint32_t> classes = {0, 1, 0, 0, 1, 0, 0};
+  EXPECT_EQ(StratifiedFolds(classes, 2), (std::vector<std::uint32_t>{0, 0, 1, 0, 1, 1, 0}));
+  EXPECT_THROWS_MESSAGE(
+      StratifiedFolds(classes, 3), Error, HasSubstr("num_folds is 3; it must be from 2 to 2"));
+  EXPECT_THROWS_MESSAGE(
+      StratifiedFolds(classes, 1), Error, HasSubstr("num_folds is 1; it must be from 2 to 2"));
 }
 
 TEST(CrossValidate, RefusesAFoldThatHoldsAWholeClass) {
