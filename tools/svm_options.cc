@@ -41,14 +41,19 @@ void AddChoice(CLI::App& command,
 
 }  // namespace
 
+const std::map<std::string, SimilarityType>& KernelWords() {
+  static const std::map<std::string, SimilarityType> words = {{"linear", SimilarityType::kLinear},
+                                                              {"poly", SimilarityType::kPolynomial},
+                                                              {"rbf", SimilarityType::kRbf}};
+  return words;
+}
+
 void AddSvmOptions(CLI::App& command, svm::Options& options) {
   using svm::Options;
   AddChoice<SimilarityType>(command,
                             "--kernel",
                             options.kernel,
-                            {{"linear", SimilarityType::kLinear},
-                             {"poly", SimilarityType::kPolynomial},
-                             {"rbf", SimilarityType::kRbf}},
+                            KernelWords(),
                             "K(a, b): linear aᵀb, poly (γ aᵀb + c)^degree, rbf exp(−γ‖a − b‖²)");
   AddNumber(command, "--degree", options, &Options::degree, "Degree of the polynomial")
       ->group(kSvmGroup);

@@ -3,8 +3,12 @@
 
 #pragma once
 
+#include <map>
+#include <string>
+
 #include <CLI/App.hpp>
 
+#include "lib/features/similarity.h"
 #include "tools/console.h"
 #include "trainers/svm/svm.h"
 
@@ -12,6 +16,9 @@ namespace handcraft::tools {
 
 /// The group, in --help, of the options below.
 inline constexpr const char* kSvmGroup = "Support vector machine";
+
+/// What the kernels are called on the command line.
+[[nodiscard]] const std::map<std::string, features::SimilarityType>& KernelWords();
 
 /// The trainer's options: --kernel, --degree, --gamma, --coef0, --C, --scheme, --standardize,
 /// --tolerance.

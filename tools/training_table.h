@@ -41,14 +41,15 @@ struct TrainingTable {
 /// The same for two labels. Throws Error as ToBinaryLabels does besides.
 [[nodiscard]] TrainingTable ReadTrainingTable(const TableArguments& arguments);
 
-/// Calls `train` and gives an Error of it the table's path: a trainer knows no file.
+/// Calls `train` and gives an Error of what it read the table's path: a trainer knows no file.
 template <class Train>
 auto NamingTable(const std::string& path, Train&& train) {
   try {
     return train();
   } catch (const Error& error) {
     Error::Details details = error.details();
-    if (details.path.empty()) details.path = path;
+    const bool is_of_table = details.kind != Error::Kind::kUsage;
+    if (is_of_table && details.path.empty()) details.path = path;
     throw Error(std::move(details));
   }
 }

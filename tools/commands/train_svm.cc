@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <array>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -23,13 +25,13 @@
 #include "tools/common_options.h"
 #include "tools/number_option.h"
 #include "tools/progress_bar.h"
+#include "tools/svm_fit.h"
+#include "tools/svm_growth.h"
 #include "tools/svm_options.h"
 #include "tools/table_command.h"
 #include "tools/text_table.h"
 #include "tools/training_table.h"
-#include "trainers/svm/cross_validation.h"
 #include "trainers/svm/rejection.h"
-#include "trainers/svm/svm.h"
 
 namespace handcraft::tools {
 namespace {
@@ -38,15 +40,18 @@ using Json = nlohmann::ordered_json;
 
 struct TrainSvmOptions {
   TableArguments arguments = {};
-  svm::Options svm = {};
-  std::size_t num_folds = 0;  // 0: none
-  std::string novel = {};     // table of what belongs to no class; empty: none
+  SvmFitOptions fit = {};
+  SvmGrowth growth = {};
+  std::string novel = {};  // table of what belongs to no class; empty: none
 };
 
-// What was found on rows that a model had not seen.
-struct HeldOut {
-  std::optional<svm::CrossValidation> validation = {};
+// A machine with all that its file says of it.
+struct TrainedSvm {
+  datasets::Table table = {};
+  datasets::ClassLabels labels = {};
+  SvmFit fit = {};
   std::optional<svm::Rejection> rejection = {};
+  std::string parent = {};  // SHA-256 of the model a class was added to
 };
 
 struct ClassCounts {
@@ -64,111 +69,127 @@ ClassCounts CountClasses(const datasets::ClassLabels& labels, const model_io::Sv
   return counts;
 }
 
-Json ToJson(const TrainSvmOptions& options,
-            const datasets::Table& table,
-            const datasets::ClassLabels& labels,
-            const svm::Result& result,
-            const HeldOut& held_out) {
-  const ClassCounts counts = CountClasses(labels, result.model);
+Json ToJson(const TrainSvmOptions& options, const TrainedSvm& trained) {
+  const svm::Result& result = trained.fit.result;
+  const ClassCounts counts = CountClasses(trained.labels, result.model);
   Json json = {{"table", options.arguments.table},
-               {"label_column", table.label_column},
-               {"classes", labels.names},
+               {"label_column", trained.table.label_column},
+               {"classes", trained.labels.names},
                {"num_samples", result.summary.num_samples},
                {"class_samples", counts.samples},
                {"class_support_vectors", counts.support_vectors},
-               {"num_features", table.columns.size()},
-               {"kernel", features::NameOf(result.model.similarity.type)},
-               {"gamma", result.model.similarity.gamma},
-               {"num_machines", result.summary.num_machines},
+               {"num_features", trained.table.columns.size()}};
+  trained.fit.options.VisitFields([&](const char* name, const auto& value) { json[name] = value; });
+  json["gamma"] = result.model.similarity.gamma;
+  json.update({{"num_machines", result.summary.num_machines},
                {"num_support_vectors", result.summary.num_support_vectors},
                {"iterations", result.summary.iterations},
                {"violation", result.summary.violation},
                {"termination", NameOf(result.summary.termination)},
                {"message", result.summary.message},
-               {"model", options.arguments.out}};
-  if (held_out.validation) {
-    json["num_folds"] = options.num_folds;
-    json["held_out_accuracy"] = held_out.validation->accuracy;
+               {"model", options.arguments.out}});
+  if (trained.fit.held_out) {
+    json["num_folds"] = options.fit.num_folds;
+    json["num_tried"] = trained.fit.num_tried;
+    json["held_out_accuracy"] = trained.fit.held_out->accuracy;
   }
-  if (held_out.rejection) {
-    json["rejection_threshold"] = held_out.rejection->threshold;
-    json["false_rejection"] = held_out.rejection->false_rejection;
-    json["false_acceptance"] = held_out.rejection->false_acceptance;
+  if (trained.rejection) {
+    json["rejection_threshold"] = trained.rejection->threshold;
+    json["false_rejection"] = trained.rejection->false_rejection;
+    json["false_acceptance"] = trained.rejection->false_acceptance;
   }
   return json;
 }
 
-std::string HeldOutText(const HeldOut& held_out) {
-  std::string text;
-  if (held_out.validation) {
-    text += fmt::format("Held out in turns, {:.2f} % are right\n",
-                        100.0 * held_out.validation->accuracy);
+// Only what the kernel reads.
+std::string Describe(const svm::Options& options, double gamma) {
+  using features::SimilarityType;
+  std::string text = fmt::format("kernel {}", features::NameOf(options.kernel));
+  if (options.kernel == SimilarityType::kPolynomial) {
+    text += fmt::format(", degree {}, coef0 {}", options.degree, options.coef0);
   }
-  if (held_out.rejection) {
+  if (options.kernel != SimilarityType::kLinear) text += fmt::format(", gamma {:.4g}", gamma);
+  return text + fmt::format(", C {}", options.penalty);
+}
+
+std::string HeldOutText(const TrainedSvm& trained) {
+  std::string text;
+  if (trained.fit.num_tried > 1) {
+    text += fmt::format("Best of {} combinations: {}\n",
+                        trained.fit.num_tried,
+                        Describe(trained.fit.options, trained.fit.result.model.similarity.gamma));
+  }
+  if (trained.fit.held_out) {
+    text += fmt::format("Held out in turns, {:.2f} % are right\n",
+                        100.0 * trained.fit.held_out->accuracy);
+  }
+  if (trained.rejection) {
     text += fmt::format(
         "None of these below a margin of {:.4g}: {:.2f} % of the held-out rows, and all but "
         "{:.2f} % of the novel ones\n",
-        held_out.rejection->threshold,
-        100.0 * held_out.rejection->false_rejection,
-        100.0 * held_out.rejection->false_acceptance);
+        trained.rejection->threshold,
+        100.0 * trained.rejection->false_rejection,
+        100.0 * trained.rejection->false_acceptance);
   }
   return text;
 }
 
-std::string ToText(const datasets::ClassLabels& labels, const svm::Result& result) {
-  const ClassCounts counts = CountClasses(labels, result.model);
+std::string ToText(const TrainedSvm& trained) {
+  const svm::Result& result = trained.fit.result;
+  const ClassCounts counts = CountClasses(trained.labels, result.model);
   TextTable classes({"class", "samples", "support vectors"});
-  for (std::size_t c = 0; c < labels.names.size(); ++c) {
-    classes.AddRow({labels.names[c],
+  for (std::size_t c = 0; c < trained.labels.names.size(); ++c) {
+    classes.AddRow({trained.labels.names[c],
                     std::to_string(counts.samples[c]),
                     std::to_string(counts.support_vectors[c])});
   }
-  return classes.ToText() + fmt::format("\n{} samples, {} machines, {} support vectors; {}\n",
-                                        result.summary.num_samples,
-                                        result.summary.num_machines,
-                                        result.summary.num_support_vectors,
-                                        result.summary.message);
+  return classes.ToText() +
+         fmt::format("\n{} samples, {} machines trained, {} support vectors; {}\n",
+                     result.summary.num_samples,
+                     result.summary.num_machines,
+                     result.summary.num_support_vectors,
+                     result.summary.message) +
+         HeldOutText(trained);
 }
 
-std::vector<std::uint8_t> ModelBytes(const TrainSvmOptions& options,
-                                     const datasets::Table& table,
-                                     const datasets::ClassLabels& labels,
-                                     const svm::Result& result) {
-  const svm::Summary& summary = result.summary;
-  const ClassCounts counts = CountClasses(labels, result.model);
-  std::string class_counts;
+model_io::Provenance ProvenanceOf(const TrainSvmOptions& options, const TrainedSvm& trained) {
+  const svm::Summary& summary = trained.fit.result.summary;
+  const ClassCounts counts = CountClasses(trained.labels, trained.fit.result.model);
+  model_io::Provenance provenance{
+      .name = options.arguments.name,
+      .task = "svm",
+      .intended_use = "class of a row like those of the training table",
+      .algorithm = "svm",
+      .data_fingerprint = Sha256Hex(ReadFile(options.arguments.table)),
+      .parent = trained.parent,
+      .hyper_parameters = FieldsToText(trained.fit.options, "svm."),
+      .metrics = {{"train.num_samples", NumberToText(summary.num_samples)},
+                  {"train.num_support_vectors", NumberToText(summary.num_support_vectors)},
+                  {"train.iterations", NumberToText(summary.iterations)},
+                  {"train.violation", NumberToText(summary.violation)},
+                  {"train.termination", std::string(NameOf(summary.termination))}}};
   for (std::size_t c = 0; c < counts.samples.size(); ++c) {
-    class_counts += fmt::format("{}{}: {}", c == 0 ? "" : ", ", c, counts.samples[c]);
+    provenance.class_counts += fmt::format("{}{}: {}", c == 0 ? "" : ", ", c, counts.samples[c]);
   }
-  return model_io::Serialise(model_io::MakeSvmModel(
-      result.model,
-      {.columns = table.columns, .classes = labels.names, .label_column = table.label_column},
-      {.name = options.arguments.name,
-       .task = "svm",
-       .intended_use = "class of a row like those of the training table",
-       .algorithm = "svm",
-       .data_fingerprint = Sha256Hex(ReadFile(options.arguments.table)),
-       .class_counts = class_counts,
-       .hyper_parameters = FieldsToText(options.svm, "svm."),
-       .metrics = {{"train.num_samples", NumberToText(summary.num_samples)},
-                   {"train.num_support_vectors", NumberToText(summary.num_support_vectors)},
-                   {"train.iterations", NumberToText(summary.iterations)},
-                   {"train.violation", NumberToText(summary.violation)},
-                   {"train.termination", std::string(NameOf(summary.termination))}}}));
+  return provenance;
+}
+
+std::vector<std::uint8_t> ModelBytes(const TrainSvmOptions& options, const TrainedSvm& trained) {
+  return model_io::Serialise(model_io::MakeSvmModel(trained.fit.result.model,
+                                                    {.columns = trained.table.columns,
+                                                     .classes = trained.labels.names,
+                                                     .label_column = trained.table.label_column},
+                                                    ProvenanceOf(options, trained)));
 }
 
 // Margins of the novel rows, as the robot's runtime gives them.
-std::vector<double> NovelMargins(const TrainSvmOptions& options,
-                                 const datasets::Table& table,
-                                 const datasets::ClassLabels& labels,
-                                 const svm::Result& result) {
-  const experiments::LoadedModel model =
-      experiments::LoadModel(ModelBytes(options, table, labels, result));
-  const experiments::TableModel names{.columns = table.columns,
-                                      .label_column = table.label_column,
+std::vector<double> NovelMargins(const TrainSvmOptions& options, const TrainedSvm& trained) {
+  const experiments::LoadedModel model = experiments::LoadModel(ModelBytes(options, trained));
+  const experiments::TableModel names{.columns = trained.table.columns,
+                                      .label_column = trained.table.label_column,
                                       .negative_label = {},
                                       .positive_label = {},
-                                      .classes = labels.names};
+                                      .classes = trained.labels.names};
   std::vector<double> margins;
   for (const experiments::RowClass& row :
        experiments::ClassifyTable(model.get(), experiments::ReadTableFor(names, options.novel))) {
@@ -177,51 +198,64 @@ std::vector<double> NovelMargins(const TrainSvmOptions& options,
   return margins;
 }
 
-// Cross-validates if asked to, and sets the model's threshold when there are novel rows.
-HeldOut HoldOut(const TrainSvmOptions& options,
-                const datasets::Table& table,
-                const datasets::ClassLabels& labels,
-                svm::Result& result) {
-  HeldOut held_out;
-  if (options.num_folds == 0) {
-    if (options.novel.empty()) return held_out;
+TrainedSvm TrainAll(const TrainSvmOptions& options) {
+  TrainedSvm trained;
+  trained.table = ReadLabelledTable(options.arguments);
+  trained.labels = datasets::ToClassLabels(trained.table, options.arguments.table);
+  trained.fit = NamingTable(options.arguments.table, [&] {
+    return FitSvm(MatrixOf(trained.table), trained.labels.values, options.fit);
+  });
+  if (options.novel.empty()) return trained;
+  if (!trained.fit.held_out) {
     throw Error(
         {.kind = Error::Kind::kUsage,
          .reason = "--novel needs --folds: the margins of known rows must be held-out ones"});
   }
-  held_out.validation = NamingTable(options.arguments.table, [&] {
-    return svm::CrossValidateRows(MatrixOf(table),
-                                  labels.values,
-                                  svm::StratifiedFolds(labels.values, options.num_folds),
-                                  options.svm);
-  });
-  if (options.novel.empty()) return held_out;
-  held_out.rejection = svm::CalibrateRejection(held_out.validation->margins,
-                                               NovelMargins(options, table, labels, result));
-  result.model.rejection_threshold = held_out.rejection->threshold;
-  return held_out;
+  trained.rejection =
+      svm::CalibrateRejection(trained.fit.held_out->margins, NovelMargins(options, trained));
+  trained.fit.result.model.rejection_threshold = trained.rejection->threshold;
+  return trained;
 }
 
-void RunTrainSvm(const TrainSvmOptions& options, const Console& console) {
-  const datasets::Table table = ReadLabelledTable(options.arguments);
-  const datasets::ClassLabels labels = datasets::ToClassLabels(table, options.arguments.table);
-  svm::Result result = NamingTable(options.arguments.table, [&] {
-    ProgressBar bar(console);
-    svm::Options svm = options.svm;
-    svm.progress = bar.Callback();
-    return svm::TrainSvm(MatrixOf(table), labels.values, svm);
+TrainedSvm TrainNewClass(const TrainSvmOptions& options) {
+  const std::array inputs = {std::filesystem::path(options.arguments.table),
+                             std::filesystem::path(options.growth.model)};
+  RequireWritable(options.arguments.out);
+  RequireNotAnInput(options.arguments.out, inputs);
+  const GrowingSvm growing = ReadGrowingSvm(options.growth);
+  TrainedSvm trained;
+  trained.table = experiments::ReadTableFor({.columns = growing.names.columns,
+                                             .label_column = growing.names.label_column,
+                                             .negative_label = {},
+                                             .positive_label = {}},
+                                            options.arguments.table);
+  trained.labels =
+      LabelsAmong(growing.names.classes, trained.table.labels, options.arguments.table);
+  trained.parent = growing.sha256;
+  trained.fit.options = growing.OptionsOf(options.fit.svm);
+  trained.fit.result = NamingTable(options.arguments.table, [&] {
+    return svm::AddClass(
+        growing.model, MatrixOf(trained.table), trained.labels.values, trained.fit.options);
   });
-  RequireUsable(result.summary);
-  const HeldOut held_out = HoldOut(options, table, labels, result);
+  RequireUsable(trained.fit.result.summary);
+  return trained;
+}
+
+void RunTrainSvm(TrainSvmOptions options, const Console& console) {
+  ProgressBar bar(console);
+  options.fit.svm.progress = bar.Callback();
+  const TrainedSvm trained =
+      options.growth.new_class.empty() ? TrainAll(options) : TrainNewClass(options);
+  bar.Clear();
   const std::string& out = options.arguments.out;
-  if (!out.empty()) WriteFileAtomically(out, ModelBytes(options, table, labels, result));
+  if (!out.empty()) WriteFileAtomically(out, ModelBytes(options, trained));
   if (options.arguments.json) {
-    console.Print(ToJson(options, table, labels, result, held_out));
+    console.Print(ToJson(options, trained));
     return;
   }
-  console.out << ToText(labels, result) << HeldOutText(held_out);
+  console.out << ToText(trained);
   if (!out.empty())
-    console.out << "\nModel of " << table.label_column << " written to " << out << '\n';
+    console.out << "\nModel of " << trained.table.label_column << " written to " << out << '\n';
 }
 
 }  // namespace
@@ -232,20 +266,15 @@ void AddTrainSvm(CLI::App& parent, const Console& console) {
                                       "svm",
                                       "Support vector machine on any table with two labels or more",
                                       options->arguments);
-  AddThreadsOption(*command, options->svm.num_threads);
-  AddSvmOptions(*command, options->svm);
-  AddNumber(*command,
-            "--folds",
-            options->num_folds,
-            AnyNumber<std::size_t>(),
-            "Cross-validate in so many folds, the same share of every class in each; 0: not")
-      ->group(kSvmGroup);
+  AddThreadsOption(*command, options->fit.svm.num_threads);
+  AddSvmFitOptions(*command, options->fit);
   command
       ->add_option("--novel",
                    options->novel,
                    "Table of rows of no class: sets the margin below which a row is none of these")
       ->type_name("TABLE")
       ->group(kSvmGroup);
+  AddSvmGrowthOptions(*command, options->growth);
   SetExample(*command,
              "handcraft train svm datasets/samples/tables/breast_w.csv --label class --kernel rbf");
   command->callback([options, &console] { RunTrainSvm(*options, console); });

@@ -148,29 +148,4 @@ CrossValidation CrossValidate(const SampleMatrix& gram,
   return validation;
 }
 
-template <class T>
-CrossValidation CrossValidateRows(const DesignMatrix<T>& X,
-                                  std::span<const std::uint32_t> classes,
-                                  std::span<const std::uint32_t> folds,
-                                  const Options& options) {
-  options.Validate();
-  const Samples samples =
-      PrepareSamples(X, classes, options.standardize ? FitNormaliser(X) : Normaliser{});
-  const SampleMatrix gram =
-      ComputeGram(ComputeInnerProducts(samples, options.num_threads, options.progress),
-                  options.SimilarityFor(X.num_features),
-                  samples,
-                  options.num_threads);
-  return CrossValidate(gram, samples, folds, options);
-}
-
-template CrossValidation CrossValidateRows(const DesignMatrix<float>&,
-                                           std::span<const std::uint32_t>,
-                                           std::span<const std::uint32_t>,
-                                           const Options&);
-template CrossValidation CrossValidateRows(const DesignMatrix<double>&,
-                                           std::span<const std::uint32_t>,
-                                           std::span<const std::uint32_t>,
-                                           const Options&);
-
 }  // namespace handcraft::svm

@@ -47,20 +47,4 @@ struct CrossValidation {
                                             std::span<const std::uint32_t> folds,
                                             const Options& options);
 
-/// The same from a table: prepares samples (standardised if the options say so) and their Gram
-/// matrix. Throws as PrepareSamples, ComputeInnerProducts and ComputeGram do besides.
-template <class T>
-[[nodiscard]] CrossValidation CrossValidateRows(const DesignMatrix<T>& X,
-                                                std::span<const std::uint32_t> classes,
-                                                std::span<const std::uint32_t> folds,
-                                                const Options& options);
-extern template CrossValidation CrossValidateRows(const DesignMatrix<float>&,
-                                                  std::span<const std::uint32_t>,
-                                                  std::span<const std::uint32_t>,
-                                                  const Options&);
-extern template CrossValidation CrossValidateRows(const DesignMatrix<double>&,
-                                                  std::span<const std::uint32_t>,
-                                                  std::span<const std::uint32_t>,
-                                                  const Options&);
-
 }  // namespace handcraft::svm

@@ -76,4 +76,28 @@ GridSearch SearchGrid(const SampleMatrix& inner_products,
   return search;
 }
 
+template <class T>
+GridSearch SearchGridOfRows(const DesignMatrix<T>& X,
+                            std::span<const std::uint32_t> classes,
+                            std::span<const std::uint32_t> folds,
+                            const Grid& grid,
+                            const Options& base) {
+  base.Validate();
+  const Samples samples =
+      PrepareSamples(X, classes, base.standardize ? FitNormaliser(X) : Normaliser{});
+  return SearchGrid(
+      ComputeInnerProducts(samples, base.num_threads, base.progress), samples, folds, grid, base);
+}
+
+template GridSearch SearchGridOfRows(const DesignMatrix<float>&,
+                                     std::span<const std::uint32_t>,
+                                     std::span<const std::uint32_t>,
+                                     const Grid&,
+                                     const Options&);
+template GridSearch SearchGridOfRows(const DesignMatrix<double>&,
+                                     std::span<const std::uint32_t>,
+                                     std::span<const std::uint32_t>,
+                                     const Grid&,
+                                     const Options&);
+
 }  // namespace handcraft::svm

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "lib/core/design_matrix.h"
 #include "trainers/svm/cross_validation.h"
 #include "trainers/svm/gram_matrix.h"
 #include "trainers/svm/svm.h"
@@ -46,5 +47,25 @@ struct GridSearch {
                                     std::span<const std::uint32_t> folds,
                                     const Grid& grid,
                                     const Options& base = {});
+
+/// The same from rows: prepares samples (standardised if `base` says so; the normaliser is that of
+/// all rows) and their inner products. Throws as PrepareSamples and ComputeInnerProducts do
+/// besides.
+template <class T>
+[[nodiscard]] GridSearch SearchGridOfRows(const DesignMatrix<T>& X,
+                                          std::span<const std::uint32_t> classes,
+                                          std::span<const std::uint32_t> folds,
+                                          const Grid& grid,
+                                          const Options& base = {});
+extern template GridSearch SearchGridOfRows(const DesignMatrix<float>&,
+                                            std::span<const std::uint32_t>,
+                                            std::span<const std::uint32_t>,
+                                            const Grid&,
+                                            const Options&);
+extern template GridSearch SearchGridOfRows(const DesignMatrix<double>&,
+                                            std::span<const std::uint32_t>,
+                                            std::span<const std::uint32_t>,
+                                            const Grid&,
+                                            const Options&);
 
 }  // namespace handcraft::svm

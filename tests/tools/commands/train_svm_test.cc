@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "lib/core/file.h"
+#include "lib/model_io/model_writer.h"
+#include "lib/model_io/svm_models.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/tools/support/generated_data.h"
 #include "tests/tools/support/run.h"
@@ -125,6 +127,68 @@ TEST(TrainSvm, SetsTheThresholdOfNoneOfTheseByHeldOutAndNovelRows) {
   EXPECT_THAT(predicted.out, Not(HasSubstr("a,")));
   EXPECT_THAT(RunLine(line + " --folds 4").out, HasSubstr("None of these below a margin of"));
   EXPECT_THAT(RunLine(line + " --folds 13").err, HasSubstr("must be from 2 to 12"));
+}
+
+TEST(TrainSvm, SearchesByFolds) {
+  const std::string line =
+      "train svm " + kReferences + ".libsvm --search kernel=linear,rbf C=0.1,10";
+  const Outcome outcome = RunLine(line + " --folds 5 --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["num_tried"], 4);
+  // No combination alone is better.
+  for (const char* alone : {"linear --C 0.1", "linear --C 10", "rbf --C 0.1", "rbf --C 10"}) {
+    const Outcome one =
+        RunLine("train svm " + kReferences + ".libsvm --folds 5 --json --kernel " + alone);
+    EXPECT_LE(Json::parse(one.out)["held_out_accuracy"], json["held_out_accuracy"]) << alone;
+  }
+  EXPECT_EQ(RunLine(line).code, 2);
+  EXPECT_THAT(RunLine(line + " --folds 5").out, HasSubstr("Best of 4 combinations"));
+}
+
+TEST(TrainSvm, AddsAClassAndLeavesTheOthersAsTheyAre) {
+  const TemporaryDirectory folder;
+  std::string old_rows = "x,y,object\n";
+  std::string new_rows;
+  for (int i = 0; i < 9; ++i) {
+    const std::string off = std::to_string(0.1 * i);
+    old_rows += "0," + off + ",mug\n1," + off + ",can\n" + off + ",2,box\n";
+    new_rows += off + ",-1,cup\n";
+  }
+  WriteFileAtomically(folder / "old.csv", old_rows);
+  WriteFileAtomically(folder / "all.csv", old_rows + new_rows);
+  const std::string old_model = (folder / "old").string();
+  const std::string model = (folder / "new").string();
+  const std::string all = (folder / "all.csv").string();
+  ASSERT_EQ(RunLine("train svm " + (folder / "old.csv").string() +
+                    " --label object --kernel rbf --out " + old_model)
+                .code,
+            0);
+  const std::string line = "train svm " + all + " --add-class cup --to " + old_model;
+  const Outcome outcome = RunLine(line + " --json --out " + model);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["num_machines"], 3);
+  EXPECT_EQ(json["kernel"], "rbf");
+  EXPECT_EQ(json["classes"], Json::array({"mug", "can", "box", "cup"}));
+  const auto read = [](const std::string& path) {
+    return model_io::ReadSvmModel(model_io::Parse(ReadFile(path), path));
+  };
+  const model_io::SvmModel before = read(old_model);
+  const model_io::SvmModel after = read(model);
+  ASSERT_EQ(after.NumMachines(), 6U);
+  EXPECT_TRUE(std::equal(before.dual_coefficients.begin(),
+                         before.dual_coefficients.end(),
+                         after.dual_coefficients.begin()));
+  EXPECT_TRUE(
+      std::equal(before.intercepts.begin(), before.intercepts.end(), after.intercepts.begin()));
+  EXPECT_EQ(Json::parse(RunLine("evaluate " + model + " " + all + " --json").out)["accuracy"], 1.0);
+  EXPECT_THAT(RunLine("inspect " + model).out, HasSubstr("hc.parent"));
+  EXPECT_EQ(RunLine(line + " --out " + old_model).code, 2);
+  EXPECT_THAT(
+      RunLine("train svm " + (folder / "old.csv").string() + " --add-class cup --to " + old_model)
+          .err,
+      HasSubstr("no samples of the class 'cup'"));
 }
 
 TEST(TrainSvm, RefusesWhatItCannotTrainOn) {

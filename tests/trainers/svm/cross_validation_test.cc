@@ -105,16 +105,6 @@ TEST(CrossValidate, TrainsOnlyWhatAFoldTouches) {
   EXPECT_EQ(validation.accuracy, static_cast<double>(num_correct) / 20.0);
 }
 
-TEST(CrossValidateRows, IsTheSameFromATable) {
-  const auto drawn = DrawClasses<float>({.num_classes = 3, .samples_per_class = 8}, 16);
-  const std::vector<std::uint32_t> folds = StratifiedFolds(drawn.classes, 4);
-  const Options options{.coef0 = 1.0, .standardize = true};
-  const Samples samples =
-      PrepareSamples(drawn.Matrix(), drawn.classes, FitNormaliser(drawn.Matrix()));
-  EXPECT_EQ(CrossValidateRows(drawn.Matrix(), drawn.classes, folds, options).margins,
-            CrossValidate(GramOf(samples, options), samples, folds, options).margins);
-}
-
 TEST(CrossValidate, ThreadsChangeNoBit) {
   const auto drawn = DrawClasses<double>({.num_classes = 5, .samples_per_class = 6}, 14);
   const Samples samples = PrepareSamples(drawn.Matrix(), drawn.classes, {});

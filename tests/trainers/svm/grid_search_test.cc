@@ -60,5 +60,19 @@ TEST(SearchGrid, FindsTheMostCorrectAndOfEqualsTheFirst) {
   }
 }
 
+TEST(SearchGridOfRows, IsTheSameFromATable) {
+  const auto drawn = DrawClasses<float>({.num_classes = 3, .samples_per_class = 8}, 16);
+  const std::vector<std::uint32_t> folds = StratifiedFolds(drawn.classes, 4);
+  const Options options{.standardize = true};
+  const Grid grid{.coef0s = {0.0, 1.0}};
+  const Samples samples =
+      PrepareSamples(drawn.Matrix(), drawn.classes, FitNormaliser(drawn.Matrix()));
+  const GridSearch search = SearchGridOfRows(drawn.Matrix(), drawn.classes, folds, grid, options);
+  const GridSearch other =
+      SearchGrid(ComputeInnerProducts(samples, 1), samples, folds, grid, options);
+  ASSERT_EQ(search.points.size(), 2U);
+  EXPECT_EQ(search.points[1].validation.margins, other.points[1].validation.margins);
+}
+
 }  // namespace
 }  // namespace handcraft::svm
