@@ -5,6 +5,7 @@
     python3 tests/fuzz/make_model_corpus.py tests/fuzz/corpus/model
 """
 
+import json
 import pathlib
 import struct
 import sys
@@ -12,7 +13,8 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from crc32c import crc32c  # noqa: E402
 
-GOLDEN = pathlib.Path(__file__).resolve().parents[1] / "data/models/v1_logistic.safetensors"
+MODELS = pathlib.Path(__file__).resolve().parents[1] / "data/models"
+GOLDEN = MODELS / "v1_logistic.safetensors"
 HEADER = ('{"__metadata__":{"hc.format":"1.0","hc.kind":"none"},'
           '"a":{"dtype":"F32","shape":[2],"data_offsets":[0,8]},'
           '"b":{"dtype":"U8","shape":[1,3],"data_offsets":[8,11]},'
@@ -39,6 +41,16 @@ def golden_changed(old, new):
     data = GOLDEN.read_bytes()
     assert data.count(old) >= 1 and len(old) == len(new), old
     return sealed(data.replace(old, new, 1)[:-8])
+
+
+def svm_with(tensor, entry, value):
+    """The golden support vector machine with one number changed."""
+    data = bytearray((MODELS / "v1_svm.safetensors").read_bytes())
+    length = struct.unpack_from("<Q", data)[0]
+    layout = json.loads(data[8:8 + length])[tensor]
+    kind = {"F64": "<d", "F32": "<f", "I32": "<i"}[layout["dtype"]]
+    struct.pack_into(kind, data, 8 + length + layout["data_offsets"][0] + entry * struct.calcsize(kind), value)
+    return sealed(bytes(data[:-8]))
 
 
 def many_tensors(count):
@@ -122,12 +134,30 @@ def content_files():
         golden.replace(struct.pack("<d", -3.0), struct.pack("<d", -1.7e308))[:-8])
 
 
+def svm_files():
+    """Files that break § 9."""
+    yield "svm_kernel_unknown", svm_with("kernel", 0, 3)
+    yield "svm_degree_huge", svm_with("kernel_degree", 0, 2**31 - 1)
+    yield "svm_gamma_negative", svm_with("kernel_gamma", 0, -1.0)
+    yield "svm_scheme_unknown", svm_with("scheme", 0, -1)
+    yield "svm_classes_huge", svm_with("num_classes", 0, 2**31 - 1)
+    yield "svm_class_of_support_beyond", svm_with("support_classes", 1, 3)
+    yield "svm_support_negative", svm_with("machine_supports", 0, -1)
+    yield "svm_support_beyond", svm_with("machine_supports", 5, 3)
+    yield "svm_supports_fall", svm_with("machine_supports", 0, 2)
+    yield "svm_machine_begins_late", svm_with("machine_begins", 0, 1)
+    yield "svm_machine_ends_before_it_begins", svm_with("machine_begins", 2, 1)
+    yield "svm_machine_ends_beyond", svm_with("machine_begins", 3, 2**31 - 1)
+    yield "svm_coefficient_of_another_model", svm_with("dual_coefficients", 0, 1e300)
+    yield "svm_vector_overflows", svm_with("support_vectors", 0, 3e38)
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     folder = pathlib.Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
-    files = [*container_files(), *content_files()]
+    files = [*container_files(), *content_files(), *svm_files()]
     assert len({name for name, _ in files}) == len(files)
     for name, data in files:
         (folder / f"{name}.safetensors").write_bytes(data)
