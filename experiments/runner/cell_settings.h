@@ -11,16 +11,10 @@
 #include <string_view>
 #include <vector>
 
+#include "experiments/runner/setting.h"
 #include "lib/features/feature_spec.h"
 
 namespace handcraft::experiments {
-
-/// A setting of a cell as a study writes it: "samples" and "20000".
-struct Setting {
-  std::string key;
-  std::string value;
-  bool operator==(const Setting&) const = default;
-};
 
 /// How the weights are found.
 enum class Classifier : std::uint8_t {

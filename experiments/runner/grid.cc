@@ -5,45 +5,17 @@
 
 #include <fmt/format.h>
 
+#include "experiments/runner/study_entries.h"
 #include "lib/core/error.h"
 
 namespace handcraft::experiments {
 namespace {
 
-// Every combination of the factors' values, the last factor changing fastest.
-std::vector<std::vector<Setting>> Combine(const std::vector<Factor>& factors) {
-  std::vector<std::vector<Setting>> combinations = {{}};
-  for (const Factor& factor : factors) {
-    std::vector<std::vector<Setting>> longer;
-    for (const std::vector<Setting>& combination : combinations) {
-      for (const std::string& value : factor.values) {
-        longer.push_back(combination);
-        longer.back().push_back({factor.key, value});
-      }
-    }
-    combinations = std::move(longer);
-  }
-  return combinations;
-}
-
 // A file of this name has an ending and, while it is written, seven bytes more; 255 are allowed.
 constexpr std::size_t kMaxIdBytes = 230;
 
-// Features are written with commas and the like; a name of a file has none of / and blanks.
-std::string PlainText(const std::string& value) {
-  std::string plain = value;
-  for (char& letter : plain) {
-    if (letter == '/' || letter == ' ' || letter == ',') letter = '+';
-  }
-  return plain;
-}
-
 std::string IdOf(const Cell& cell) {
-  std::string id = cell.method;
-  for (const Setting& setting : cell.factors) {
-    id += fmt::format(",{}={}", setting.key, PlainText(setting.value));
-  }
-  return id + fmt::format(",repetition={}", cell.repetition);
+  return CombinationId(cell.method, cell.factors) + fmt::format(",repetition={}", cell.repetition);
 }
 
 CellSettings SettingsOf(const Study& study, const Method& method, const Cell& cell) {

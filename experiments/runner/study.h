@@ -30,18 +30,6 @@ enum class StudySplit {
   kManifest,  ///< the splits "train" and "test" of the manifest
 };
 
-/// A named bundle of settings that belong together: what the columns of a figure compare.
-struct Method {
-  std::string name;
-  std::vector<Setting> settings;
-};
-
-/// A setting that takes each of its values in turn, with every method and every other factor.
-struct Factor {
-  std::string key;
-  std::vector<std::string> values;
-};
-
 /// What a publication says of the methods, for the report to say whether it is so here.
 struct Claim {
   std::string source;              ///< "Section 3.3.1"

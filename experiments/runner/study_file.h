@@ -9,15 +9,9 @@
 #include <string_view>
 
 #include "experiments/runner/study.h"
+#include "experiments/runner/study_entries.h"
 
 namespace handcraft::experiments {
-
-/// Which of two values is meant where a study file writes { small = 216, full = 13247 }.
-enum class StudySize : std::uint8_t {
-  kSmall,  ///< minutes
-  kFull,   ///< as large as the publication's
-};
-[[nodiscard]] std::string_view NameOf(StudySize size) noexcept;
 
 /// Reads a study file (TOML; docs/studies.md has its keys). Every key must be known, every setting
 /// fit its rule, names be told apart, and something be left to test on. Throws Error with path and
