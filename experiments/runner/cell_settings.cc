@@ -5,31 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include "lib/core/error.h"
+#include "experiments/runner/setting_values.h"
 
 namespace handcraft::experiments {
 namespace {
-
-[[noreturn]] void FailSetting(const Setting& setting, std::string_view rule) {
-  throw Error(
-      {.kind = Error::Kind::kUsage,
-       .reason = fmt::format("{} is \"{}\"; it must be {}", setting.key, setting.value, rule)});
-}
-
-template <class Number>
-Number ParseNumber(const Setting& setting, std::string_view rule) {
-  Number number{};
-  const char* const end = setting.value.data() + setting.value.size();
-  const auto [stopped, error] = std::from_chars(setting.value.data(), end, number);
-  if (error != std::errc() || stopped != end) FailSetting(setting, rule);
-  return number;
-}
 
 double ParsePositive(const Setting& setting, double most, std::string_view rule) {
   const auto number = ParseNumber<double>(setting, rule);
@@ -47,12 +27,7 @@ void ApplyFeatures(const Setting& setting, CellSettings& settings) {
 
 void ApplyEnergy(const Setting& setting, CellSettings& settings) {
   using features::Energy;
-  for (const Energy energy : {Energy::kSquare, Energy::kAbs, Energy::kLog}) {
-    if (setting.value != features::NameOf(energy)) continue;
-    settings.energy = energy;
-    return;
-  }
-  FailSetting(setting, "square, abs or log");
+  settings.energy = ParseWord(setting, {Energy::kSquare, Energy::kAbs, Energy::kLog});
 }
 
 void ApplyWindow(const Setting& setting, CellSettings& settings) {
@@ -65,7 +40,7 @@ void ApplyWindow(const Setting& setting, CellSettings& settings) {
 void ApplyRidge(const Setting& setting, CellSettings& settings) {
   constexpr std::string_view kRule = "a number from 0 on";
   settings.ridge = ParseNumber<double>(setting, kRule);
-  if (!(settings.ridge >= 0.0) || !std::isfinite(settings.ridge)) FailSetting(setting, kRule);
+  if (settings.ridge < 0.0) FailSetting(setting, kRule);
 }
 
 void ApplyClassifier(const Setting& setting, CellSettings& settings) {
@@ -136,13 +111,7 @@ constexpr auto kKeyNames = [] {
 std::span<const std::string_view> SettingKeys() { return kKeyNames; }
 
 void ApplySetting(const Setting& setting, CellSettings& settings) {
-  for (const Key& key : kKeys) {
-    if (key.name == setting.key) return key.apply(setting, settings);
-  }
-  throw Error(
-      {.kind = Error::Kind::kUsage,
-       .reason = fmt::format(
-           "\"{}\" is no setting; there are: {}", setting.key, fmt::join(kKeyNames, ", "))});
+  ApplyByKey(kKeys, kKeyNames, setting, settings);
 }
 
 features::FeatureSpec SpecOf(const CellSettings& settings) {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "experiments/runner/study_entries.h"
 #include "lib/core/error.h"
 
 namespace handcraft::experiments {
@@ -41,23 +42,16 @@ void AddSource(const std::string& name, const DataSource& source, std::vector<st
 }  // namespace
 
 void KeepMethods(std::span<const std::string> names, Study& study) {
-  const auto is_kept = [&](const Method& method) {
-    return std::find(names.begin(), names.end(), method.name) != names.end();
-  };
-  std::vector<std::string> known;
-  for (const Method& method : study.methods) known.push_back(method.name);
-  for (const std::string& name : names) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    throw Error({.kind = Error::Kind::kUsage,
-                 .reason = fmt::format("the study {} has no method \"{}\"", study.name, name),
-                 .remedy = fmt::format("name some of {}", fmt::join(known, ", "))});
-  }
-  if (std::find(names.begin(), names.end(), study.baseline) == names.end()) {
+  std::vector<Method> kept = study.methods;
+  KeepMethods(names, study.name, kept);
+  if (std::none_of(kept.begin(), kept.end(), [&](const Method& method) {
+        return method.name == study.baseline;
+      })) {
     throw Error({.kind = Error::Kind::kUsage,
                  .reason = "the others are compared with " + study.baseline,
                  .remedy = "name it among the methods"});
   }
-  std::erase_if(study.methods, [&](const Method& method) { return !is_kept(method); });
+  study.methods = std::move(kept);
 }
 
 std::vector<std::string> CanonicalLines(const Study& study) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "lib/core/error.h"
 #include "lib/core/fields.h"
@@ -180,6 +181,22 @@ std::vector<Factor> ParseGrid(const TomlTable& top,
     factors.push_back(ParseFactor(table, key, size, rules));
   }
   return factors;
+}
+
+void KeepMethods(std::span<const std::string> names,
+                 const std::string& study,
+                 std::vector<Method>& methods) {
+  std::vector<std::string> known;
+  for (const Method& method : methods) known.push_back(method.name);
+  for (const std::string& name : names) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    throw Error({.kind = Error::Kind::kUsage,
+                 .reason = fmt::format("the study {} has no method \"{}\"", study, name),
+                 .remedy = fmt::format("name some of {}", fmt::join(known, ", "))});
+  }
+  std::erase_if(methods, [&](const Method& method) {
+    return std::find(names.begin(), names.end(), method.name) == names.end();
+  });
 }
 
 std::vector<std::vector<Setting>> Combine(std::span<const Factor> factors) {

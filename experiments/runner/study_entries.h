@@ -65,6 +65,12 @@ struct SettingRules {
                                             const SettingRules& rules,
                                             std::span<const Method> methods);
 
+/// Leaves out all methods but these, in the order they have; `study` is named in messages. Throws
+/// Error(kUsage) for a name that is none of them, which it lists.
+void KeepMethods(std::span<const std::string> names,
+                 const std::string& study,
+                 std::vector<Method>& methods);
+
 /// Every combination of the factors' values, the last factor changing fastest.
 [[nodiscard]] std::vector<std::vector<Setting>> Combine(std::span<const Factor> factors);
 

@@ -10,6 +10,7 @@
 #include "experiments/runner/grid.h"
 #include "experiments/runner/shipped_studies.h"
 #include "experiments/runner/study_file.h"
+#include "experiments/view_studies/view_study.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "tools/text_table.h"
@@ -20,22 +21,35 @@ namespace {
 using experiments::ShippedStudies;
 using experiments::ShippedStudy;
 
-experiments::Study Parse(const ShippedStudy& shipped) {
-  return experiments::ParseStudy(
-      shipped.text, std::string(shipped.name), experiments::StudySize::kSmall);
+// What the list tells of a study.
+struct Entry {
+  std::string name;
+  std::string title;
+  std::string question;
+  std::size_t num_cells = 0;
+};
+
+Entry Describe(const ShippedStudy& shipped) {
+  const std::string name(shipped.name);
+  constexpr auto kSize = experiments::StudySize::kSmall;
+  if (experiments::IsViewStudy(shipped.text, name)) {
+    const experiments::ViewStudy study = experiments::ParseViewStudy(shipped.text, name, kSize);
+    return {study.name, study.title, study.question, experiments::MakeViewCells(study).size()};
+  }
+  const experiments::Study study = experiments::ParseStudy(shipped.text, name, kSize);
+  return {study.name, study.title, study.question, experiments::MakeCells(study).size()};
 }
 
 void PrintStudies(bool json, const Console& console) {
   TextTable table({"study", "cells", "title"});
   auto list = nlohmann::ordered_json::array();
   for (const ShippedStudy& shipped : ShippedStudies()) {
-    const experiments::Study study = Parse(shipped);
-    const std::size_t num_cells = experiments::MakeCells(study).size();
-    table.AddRow({study.name, std::to_string(num_cells), study.title});
+    const Entry study = Describe(shipped);
+    table.AddRow({study.name, std::to_string(study.num_cells), study.title});
     list.push_back({{"name", study.name},
                     {"title", study.title},
                     {"question", study.question},
-                    {"num_cells_small", num_cells}});
+                    {"num_cells_small", study.num_cells}});
   }
   // It has a command of its own, and no cells.
   table.AddRow(

@@ -18,7 +18,10 @@
 #include "experiments/runner/study_file.h"
 #include "experiments/runner/study_report.h"
 #include "experiments/runner/summary_markdown.h"
+#include "experiments/view_studies/view_study_report.h"
+#include "experiments/view_studies/view_study_run.h"
 #include "lib/core/error.h"
+#include "lib/core/file.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "tools/progress_bar.h"
@@ -38,14 +41,16 @@ struct StudyRunCommand {
   bool json = false;
 };
 
+experiments::StudySize SizeOf(const StudyRunCommand& options) {
+  return options.size == "full" ? experiments::StudySize::kFull : experiments::StudySize::kSmall;
+}
+
 // A shipped study goes before a file of its name; ./NAME is always the file.
-experiments::Study FindStudy(const StudyRunCommand& options) {
-  const auto size =
-      options.size == "full" ? experiments::StudySize::kFull : experiments::StudySize::kSmall;
+std::string StudyText(const StudyRunCommand& options) {
   if (const experiments::ShippedStudy* shipped = experiments::FindShippedStudy(options.study)) {
-    return experiments::ParseStudy(shipped->text, options.study, size);
+    return std::string(shipped->text);
   }
-  if (std::filesystem::exists(options.study)) return experiments::ReadStudy(options.study, size);
+  if (std::filesystem::exists(options.study)) return ReadTextFile(options.study);
   std::string names = "feature-analysis";
   for (const experiments::ShippedStudy& shipped : experiments::ShippedStudies()) {
     names.append(", ").append(shipped.name);
@@ -102,8 +107,13 @@ void PrintJson(const StudyRunCommand& options,
                  {"results", (std::filesystem::path(options.out) / "results.csv").string()}});
 }
 
-void RunStudyRun(const StudyRunCommand& options, const Console& console) {
-  experiments::Study study = FindStudy(options);
+void WarnWithoutGnuplot(const Console& console) {
+  console.Warn("there is no gnuplot: figures are SVG alone, without PDF (Debian: gnuplot-nox)");
+}
+
+void RunPixelStudy(const StudyRunCommand& options,
+                   experiments::Study study,
+                   const Console& console) {
   ReplaceData(options, study);
   if (!options.methods.empty()) experiments::KeepMethods(options.methods, study);
   ProgressBar bar(console);
@@ -112,13 +122,60 @@ void RunStudyRun(const StudyRunCommand& options, const Console& console) {
   bar.Clear();
   const experiments::StudySummary summary = experiments::SummariseStudy(run, options.num_threads);
   const experiments::StudyReport report = experiments::WriteStudyReport(options.out, run, summary);
-  if (!report.has_gnuplot) {
-    console.Warn("there is no gnuplot: figures are SVG alone, without PDF (Debian: gnuplot-nox)");
-  }
+  if (!report.has_gnuplot) WarnWithoutGnuplot(console);
   for (const std::string& warning : summary.warnings) console.Warn(warning);
   const std::string verdict = experiments::VerdictText(study, summary);
   options.json ? PrintJson(options, run, verdict, console)
                : PrintText(options, run, verdict, console);
+}
+
+void PrintViewStudy(const StudyRunCommand& options,
+                    const experiments::ViewStudyRun& run,
+                    const Console& console) {
+  TextTable table({"cell", "group", "views", "right", "95 %"});
+  auto json = nlohmann::ordered_json::array();
+  for (const experiments::ViewCellResult& result : run.results) {
+    for (const experiments::GroupShare& group : result.groups) {
+      table.AddRow({result.id,
+                    group.name,
+                    std::to_string(group.num_views),
+                    experiments::PercentText(group.share.value),
+                    experiments::PercentIntervalText(group.share)});
+      json.push_back({{"cell", result.id}, {"group", group.name}, {"share", group.share.value}});
+    }
+  }
+  if (options.json) {
+    console.Print({{"study", run.study.name}, {"out", options.out}, {"results", json}});
+    return;
+  }
+  console.out << table.ToText() << "\nWrote " << options.out << ": " << run.cells.size()
+              << " cells\n";
+}
+
+void RunStudyOfViews(const StudyRunCommand& options,
+                     experiments::ViewStudy study,
+                     const Console& console) {
+  if (!options.data.empty()) study.train = {.folder = options.data};
+  if (!options.test_data.empty()) study.test = experiments::ViewSource{.folder = options.test_data};
+  if (!options.methods.empty()) {
+    experiments::KeepMethods(options.methods, study.name, study.methods);
+  }
+  ProgressBar bar(console);
+  const experiments::ViewStudyRun run = experiments::RunViewStudy(
+      study, {.out = options.out, .num_threads = options.num_threads, .progress = bar.Callback()});
+  bar.Clear();
+  if (!experiments::WriteViewStudyReport(options.out, run)) WarnWithoutGnuplot(console);
+  PrintViewStudy(options, run, console);
+}
+
+void RunStudyRun(const StudyRunCommand& options, const Console& console) {
+  const std::string text = StudyText(options);
+  if (experiments::IsViewStudy(text, options.study)) {
+    RunStudyOfViews(
+        options, experiments::ParseViewStudy(text, options.study, SizeOf(options)), console);
+  } else {
+    RunPixelStudy(options, experiments::ParseStudy(text, options.study, SizeOf(options)), console);
+  }
 }
 
 }  // namespace
@@ -133,9 +190,9 @@ void AddStudyRun(CLI::App& parent, const Console& console) {
   command->add_option("--size", options->size, "Which values of { small = …, full = … } are meant")
       ->check(CLI::IsMember({"small", "full"}))
       ->capture_default_str();
-  command->add_option("--data", options->data, "Labelled image set in place of [data.train]")
+  command->add_option("--data", options->data, "Data set in place of [data.train]")
       ->type_name("DIR");
-  command->add_option("--test-data", options->test_data, "Labelled image set for [data.test]")
+  command->add_option("--test-data", options->test_data, "Data set in place of [data.test]")
       ->type_name("DIR");
   command->add_option("--methods", options->methods, "These methods of the study alone")
       ->type_name("NAME,...")

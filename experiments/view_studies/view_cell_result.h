@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "experiments/metrics/binary_metrics.h"
+
+namespace handcraft::experiments {
+
+/// Of how many views of a group the answer was right.
+struct GroupShare {
+  std::string name;
+  std::size_t num_views = 0;
+  std::size_t num_right = 0;
+  Estimate share = {};  ///< Wilson: views are taken as independent
+};
+
+/// Which answer was given how often: a confusion matrix, or a histogram a row.
+struct AnswerCounts {
+  std::string row_title;                         ///< what the rows are: "true class"
+  std::vector<std::string> rows = {};            ///< what is true
+  std::vector<std::string> columns = {};         ///< what was answered
+  std::vector<std::vector<std::size_t>> counts;  ///< rows × columns
+  std::vector<std::vector<bool>> is_right = {};  ///< rows × columns
+};
+
+/// How long something took.
+struct TimeFigure {
+  std::string name;  ///< with its unit: "training_s"
+  double value = 0.0;
+};
+
+/// What came out of a cell of a study of views.
+struct ViewCellResult {
+  std::string id;
+  AnswerCounts answers;
+  std::vector<GroupShare> groups = {};  ///< one a row of the answers, then those of many rows
+  std::vector<TimeFigure> times = {};
+};
+
+/// A group of the row's views.
+[[nodiscard]] GroupShare ShareOfRow(const AnswerCounts& answers, std::size_t row);
+
+/// A group of the views of several others.
+[[nodiscard]] GroupShare ShareOfAll(std::string name, const std::vector<GroupShare>& parts);
+
+}  // namespace handcraft::experiments

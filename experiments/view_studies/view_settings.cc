@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/view_studies/view_settings.h"
+
+#include <array>
+
+#include "experiments/runner/setting_values.h"
+
+namespace handcraft::experiments {
+namespace {
+
+using features::ClassScheme;
+using features::CloudDescriptorType;
+using features::CloudFrame;
+using features::CloudScaling;
+using features::ComparedMoments;
+using features::SimilarityType;
+
+template <class Number>
+Number ParseWithin(const Setting& setting, Number low, Number high) {
+  const std::string rule = fmt::format("a number from {} to {}", low, high);
+  const auto number = ParseNumber<Number>(setting, rule);
+  if (!(number >= low && number <= high)) FailSetting(setting, rule);
+  return number;
+}
+
+double ParseAboveZero(const Setting& setting) {
+  constexpr std::string_view kRule = "a number above 0";
+  const auto number = ParseNumber<double>(setting, kRule);
+  if (!(number > 0.0)) FailSetting(setting, kRule);
+  return number;
+}
+
+double ParseFromZero(const Setting& setting) { return ParseWithin(setting, 0.0, 1e9); }
+
+bool ParseSwitch(const Setting& setting) {
+  if (setting.value != "yes" && setting.value != "no") FailSetting(setting, "yes or no");
+  return setting.value == "yes";
+}
+
+struct Key {
+  std::string_view name;
+  void (*apply)(const Setting& setting, ViewSettings& settings);
+};
+
+constexpr std::array kKeys = {
+    Key{"descriptor",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.descriptor.type = ParseWord(setting,
+                                               {CloudDescriptorType::kGrid,
+                                                CloudDescriptorType::kDepthGrid,
+                                                CloudDescriptorType::kPolar});
+        }},
+    Key{"grid_size",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.descriptor.grid_size = ParseWithin(setting, 1, features::kMaxGridSize);
+        }},
+    Key{"scaling",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.descriptor.scaling =
+              ParseWord(setting, {CloudScaling::kMetric, CloudScaling::kUnit});
+        }},
+    Key{"frame",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.cloud.frame = ParseWord(setting, {CloudFrame::kBase, CloudFrame::kCamera});
+          settings.descriptor.frame = settings.cloud.frame;
+        }},
+    Key{"outlier_step",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.cloud.outlier_step = ParseFromZero(setting);
+        }},
+    Key{"kernel",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.svm.kernel = ParseWord(
+              setting,
+              {SimilarityType::kLinear, SimilarityType::kPolynomial, SimilarityType::kRbf});
+        }},
+    Key{"degree",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.svm.degree = ParseWithin(setting, 1, 1000);
+        }},
+    Key{"gamma",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.svm.gamma = ParseFromZero(setting);
+        }},
+    Key{"coef0",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.svm.coef0 = ParseFromZero(setting);
+        }},
+    Key{"C",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.svm.penalty = ParseAboveZero(setting);
+        }},
+    Key{"scheme",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.svm.scheme = setting.value == "one-against-all" ? ClassScheme::kOneAgainstAll
+                                : setting.value == "one-against-one"
+                                    ? ClassScheme::kOneAgainstOne
+                                    : (FailSetting(setting,
+                                                   "one-against-one or "
+                                                   "one-against-all"),
+                                       ClassScheme::kOneAgainstOne);
+        }},
+    Key{"standardize",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.svm.standardize = ParseSwitch(setting);
+        }},
+    Key{"moments",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.rotation.moments = ParseWord(
+              setting,
+              {ComparedMoments::kPrinted, ComparedMoments::kScaleFree, ComparedMoments::kAll});
+        }},
+    Key{"candidates",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.rotation.num_candidates =
+              ParseWithin(setting, std::size_t{0}, features::kMaxCandidates);
+        }},
+    Key{"angle_weight",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.rotation.angle_weight = ParseFromZero(setting);
+        }},
+    Key{"num_classes",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.num_classes = ParseWithin(setting, std::size_t{0}, std::size_t{4096});
+        }},
+};
+
+constexpr auto kKeyNames = [] {
+  std::array<std::string_view, kKeys.size()> names;
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = kKeys[i].name;
+  return names;
+}();
+
+}  // namespace
+
+std::span<const std::string_view> ViewSettingKeys() { return kKeyNames; }
+
+void ApplyViewSetting(const Setting& setting, ViewSettings& settings) {
+  ApplyByKey(kKeys, kKeyNames, setting, settings);
+}
+
+}  // namespace handcraft::experiments

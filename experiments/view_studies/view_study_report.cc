@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/view_studies/view_study_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "experiments/evaluation/html_text.h"
+#include "experiments/evaluation/report_table.h"
+#include "experiments/runner/bar_figure.h"
+#include "experiments/view_studies/answer_table.h"
+#include "lib/core/file.h"
+
+namespace handcraft::experiments {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string ShareText(const Estimate& share) {
+  return PercentText(share.value) + " " + PercentIntervalText(share);
+}
+
+// A row a group, a column a cell.
+ReportTable SharesTable(const ViewStudyRun& run) {
+  ReportTable table{.head = {"group", "views"}};
+  for (const ViewCellResult& result : run.results) table.head.push_back(result.id);
+  for (std::size_t g = 0; g < run.results.front().groups.size(); ++g) {
+    const GroupShare& first = run.results.front().groups[g];
+    std::vector<std::string> row = {first.name, std::to_string(first.num_views)};
+    for (const ViewCellResult& result : run.results) {
+      const auto same =
+          std::find_if(result.groups.begin(), result.groups.end(), [&](const GroupShare& group) {
+            return group.name == first.name;
+          });
+      row.push_back(same == result.groups.end() ? "–" : ShareText(same->share));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+// Only the groups of all cells can stand in one table; of others each cell has its own.
+std::vector<std::string> Verdicts(const ViewStudyRun& run) {
+  std::vector<std::string> verdicts;
+  for (const auto& [name, percent] : run.study.claims) {
+    for (const ViewCellResult& result : run.results) {
+      for (const GroupShare& group : result.groups) {
+        if (group.name != name) continue;
+        const double share = 100.0 * group.share.value;
+        verdicts.push_back(fmt::format("{}, {}: {:.2f} % {} of {} views; {} has {:.2f} %{}",
+                                       result.id,
+                                       name,
+                                       share,
+                                       PercentIntervalText(group.share),
+                                       group.num_views,
+                                       run.study.claim_source,
+                                       percent,
+                                       share >= percent ? ": reached" : ": not reached"));
+      }
+    }
+  }
+  return verdicts;
+}
+
+ReportTable TimesTable(const ViewStudyRun& run) {
+  ReportTable table{.head = {"cell"}};
+  for (const TimeFigure& time : run.results.front().times) table.head.push_back(time.name);
+  for (const ViewCellResult& result : run.results) {
+    std::vector<std::string> row = {result.id};
+    for (const TimeFigure& time : result.times) row.push_back(DecimalText(time.value, 4));
+    row.resize(table.head.size());
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+BarFigure SharesFigure(const ViewStudyRun& run) {
+  BarFigure figure{.title = run.study.title, .y_label = "right [%]", .groups = {}, .series = {}};
+  for (const GroupShare& group : run.results.front().groups) figure.groups.push_back(group.name);
+  for (const ViewCellResult& result : run.results) {
+    BarFigure::Series series{.name = result.id, .bars = {}};
+    for (const std::string& name : figure.groups) {
+      Estimate bar{std::nan(""), std::nan(""), std::nan("")};
+      for (const GroupShare& group : result.groups) {
+        if (group.name != name) continue;
+        bar = {100.0 * group.share.value, 100.0 * group.share.low, 100.0 * group.share.high};
+      }
+      series.bars.push_back(bar);
+    }
+    figure.series.push_back(std::move(series));
+  }
+  return figure;
+}
+
+// Figure 4.7: how often each difference was found, all objects of a cell together.
+BarFigure HistogramFigure(const ViewStudyRun& run) {
+  BarFigure figure{.title = run.study.title, .y_label = "views", .groups = {}, .series = {}};
+  figure.groups = run.results.front().answers.columns;
+  for (const ViewCellResult& result : run.results) {
+    BarFigure::Series series{.name = result.id, .bars = {}};
+    for (std::size_t column = 0; column < figure.groups.size(); ++column) {
+      double sum = 0.0;
+      for (const auto& row : result.answers.counts) sum += static_cast<double>(row[column]);
+      series.bars.push_back({sum, sum, sum});
+    }
+    figure.series.push_back(std::move(series));
+  }
+  return figure;
+}
+
+std::string FigureCard(const BarFigure& figure) {
+  return "<figure class=\"card wide\">" + PlotBars(figure).ToInlineText() + "</figure>\n";
+}
+
+std::string HeaderText(const ViewStudyRun& run) {
+  std::string text =
+      fmt::format("<header><p class=\"kicker\">Study {} · {} cells · {} views</p>\n<h1>{}</h1>\n",
+                  EscapeHtml(run.study.name),
+                  run.cells.size(),
+                  run.test ? run.test->NumViews() : run.train.NumViews(),
+                  EscapeHtml(run.study.title));
+  if (!run.study.question.empty()) {
+    text += fmt::format("<p class=\"lead\">{}</p>\n", EscapeHtml(run.study.question));
+  }
+  for (const std::string& verdict : Verdicts(run)) {
+    text += fmt::format("<p>{}</p>\n", EscapeHtml(verdict));
+  }
+  return text + "</header>\n";
+}
+
+std::string AnswersText(const ViewStudyRun& run) {
+  std::string text =
+      "<h2>Answers</h2>\n<p class=\"note\">Rows are what is true, columns what was "
+      "answered; counts. Right answers are green.</p>\n";
+  for (const ViewCellResult& result : run.results) {
+    text += fmt::format("<figure class=\"card wide\"><h3>{}</h3>\n{}</figure>\n",
+                        EscapeHtml(result.id),
+                        AnswerTable(result.answers));
+  }
+  return text;
+}
+
+std::string InputsText(const ViewStudyRun& run) {
+  std::string text = "<h2>Inputs</h2>\n<dl>\n";
+  for (const std::string& line : CanonicalLines(run.study)) {
+    const std::size_t equals = line.find(" = ");
+    text += fmt::format("<dt>{}</dt><dd>{}</dd>\n",
+                        EscapeHtml(line.substr(0, equals)),
+                        EscapeHtml(line.substr(equals + 3)));
+  }
+  return text + fmt::format("<dt>views</dt><dd><code>{}</code></dd>\n</dl>\n",
+                            EscapeHtml(run.train.fingerprint));
+}
+
+std::string SummaryText(const ViewStudyRun& run) {
+  std::string text = fmt::format("# {}\n\n", run.study.title);
+  if (!run.study.question.empty()) text += run.study.question + "\n\n";
+  for (const std::string& verdict : Verdicts(run)) text += "- " + verdict + "\n";
+  text += "\n## Right answers\n\nWith 95 % intervals (Wilson).\n\n" +
+          MarkdownText(SharesTable(run)) + "## Times\n\n" + MarkdownText(TimesTable(run)) +
+          "## Inputs\n\n";
+  for (const std::string& line : CanonicalLines(run.study)) text += "- " + line + "\n";
+  return text + "- views: " + run.train.fingerprint + "\n";
+}
+
+}  // namespace
+
+bool WriteViewStudyReport(const fs::path& out, const ViewStudyRun& run) {
+  fs::create_directories(out / "figures");
+  std::vector<std::pair<std::string, BarFigure>> figures = {{"right_answers", SharesFigure(run)}};
+  if (run.study.task == ViewTask::kObjectRotation) {
+    figures.emplace_back("rotation_histogram", HistogramFigure(run));
+  }
+  bool has_gnuplot = true;
+  std::string cards;
+  for (const auto& [name, figure] : figures) {
+    const fs::path program = out / "figures" / (name + ".gnuplot");
+    WriteFileAtomically(program, GnuplotProgram(figure, name));
+    has_gnuplot = has_gnuplot && RunGnuplot(program);
+    if (!has_gnuplot) {
+      WriteFileAtomically(out / "figures" / (name + ".svg"), PlotBars(figure).ToFileText());
+    }
+    cards += FigureCard(figure);
+  }
+  WriteFileAtomically(out / "summary.md", SummaryText(run));
+  WriteFileAtomically(
+      out / "report.html",
+      MakeHtmlPage(run.study.title,
+                   HeaderText(run) + "<h2>Right answers</h2>\n" + HtmlText(SharesTable(run)) +
+                       cards + AnswersText(run) + "<h2>Times</h2>\n" + HtmlText(TimesTable(run)) +
+                       InputsText(run)));
+  return has_gnuplot;
+}
+
+}  // namespace handcraft::experiments

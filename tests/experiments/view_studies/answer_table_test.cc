@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/view_studies/answer_table.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace handcraft::experiments {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(AnswerTable, TintsByShareOfTheRow) {
+  const std::string text = AnswerTable({.row_title = "object",
+                                        .rows = {"can", "a<b"},
+                                        .columns = {"can", "mug"},
+                                        .counts = {{3, 1}, {0, 0}},
+                                        .is_right = {{true, false}, {false, true}}});
+  EXPECT_THAT(text,
+              AllOf(HasSubstr("rgba(20, 140, 130, 0.46)\">3</td>"),  // 0.08 + 0.5 · 3/4
+                    HasSubstr("title=\"25.0 %\""),
+                    HasSubstr("rgba(205, 95, 40, 0.20)\">1</td>"),
+                    HasSubstr("a&lt;b"),
+                    HasSubstr("<td class=\"number\"></td>"),
+                    Not(HasSubstr(">0</td>"))));
+}
+
+}  // namespace
+}  // namespace handcraft::experiments

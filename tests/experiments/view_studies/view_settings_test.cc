@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/view_studies/view_settings.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lib/core/error.h"
+#include "tests/support/expect_throws_message.h"
+
+namespace handcraft::experiments {
+namespace {
+
+using ::testing::HasSubstr;
+
+ViewSettings Applied(std::initializer_list<Setting> list) {
+  ViewSettings settings;
+  for (const Setting& setting : list) ApplyViewSetting(setting, settings);
+  return settings;
+}
+
+TEST(ViewSettings, EveryKeyIsTaken) {
+  const ViewSettings settings = Applied({{"descriptor", "polar"},
+                                         {"grid_size", "20"},
+                                         {"scaling", "unit"},
+                                         {"frame", "camera"},
+                                         {"outlier_step", "3"},
+                                         {"kernel", "rbf"},
+                                         {"degree", "2"},
+                                         {"gamma", "0.5"},
+                                         {"coef0", "0"},
+                                         {"C", "10"},
+                                         {"scheme", "one-against-all"},
+                                         {"standardize", "yes"},
+                                         {"moments", "printed"},
+                                         {"candidates", "6"},
+                                         {"angle_weight", "0"},
+                                         {"num_classes", "4"}});
+  EXPECT_EQ(settings.descriptor.type, features::CloudDescriptorType::kPolar);
+  EXPECT_EQ(settings.descriptor.grid_size, 20);
+  EXPECT_EQ(settings.descriptor.scaling, features::CloudScaling::kUnit);
+  EXPECT_EQ(settings.cloud.frame, features::CloudFrame::kCamera);
+  EXPECT_EQ(settings.descriptor.frame, features::CloudFrame::kCamera);
+  EXPECT_EQ(settings.cloud.outlier_step, 3.0);
+  EXPECT_EQ(settings.svm.kernel, features::SimilarityType::kRbf);
+  EXPECT_EQ(settings.svm.degree, 2);
+  EXPECT_EQ(settings.svm.gamma, 0.5);
+  EXPECT_EQ(settings.svm.coef0, 0.0);
+  EXPECT_EQ(settings.svm.penalty, 10.0);
+  EXPECT_EQ(settings.svm.scheme, features::ClassScheme::kOneAgainstAll);
+  EXPECT_TRUE(settings.svm.standardize);
+  EXPECT_EQ(settings.rotation.moments, features::ComparedMoments::kPrinted);
+  EXPECT_EQ(settings.rotation.num_candidates, 6U);
+  EXPECT_EQ(settings.rotation.angle_weight, 0.0);
+  EXPECT_EQ(settings.num_classes, 4U);
+  EXPECT_EQ(ViewSettingKeys().size(), 16U) << "a new key is tried here";
+}
+
+TEST(ViewSettings, RefuseWhatDoesNotFit) {
+  const std::pair<Setting, const char*> cases[] = {
+      {{"descriptor", "photo"}, "descriptor is \"photo\"; it must be grid, "},
+      {{"grid_size", "0"}, "a number from 1 to"},
+      {{"grid_size", "2.5"}, "a number from 1 to"},
+      {{"gamma", "-1"}, "a number from 0 to"},
+      {{"gamma", "nan"}, "a number from 0 to"},
+      {{"C", "0"}, "a number above 0"},
+      {{"standardize", "true"}, "yes or no"},
+      {{"scheme", "all"}, "one-against-one or one-against-all"},
+      {{"candidates", "65"}, "a number from 0 to 64"},
+      {{"colour", "red"}, "\"colour\" is no setting; there are: descriptor, "},
+  };
+  for (const auto& [setting, message] : cases) {
+    EXPECT_THROWS_MESSAGE(static_cast<void>(Applied({setting})), Error, HasSubstr(message));
+  }
+}
+
+}  // namespace
+}  // namespace handcraft::experiments

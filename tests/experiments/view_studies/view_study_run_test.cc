@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/view_studies/view_study_run.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lib/core/error.h"
+#include "lib/core/file.h"
+#include "tests/experiments/view_studies/small_views.h"
+#include "tests/support/expect_throws_message.h"
+#include "tests/support/temporary_directory.h"
+
+namespace handcraft::experiments {
+namespace {
+
+namespace fs = std::filesystem;
+using handcraft::testing::MakeSmallViewStudy;
+using handcraft::testing::TemporaryDirectory;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+TEST(RunViewStudy, SameBytesForAnyThreadsAndASecondTime) {
+  const TemporaryDirectory folder;
+  const ViewStudy study = MakeSmallViewStudy(folder / "views", ViewTask::kObjectClass);
+  const ViewStudyRun run = RunViewStudy(study, {.out = folder / "one"});
+  static_cast<void>(RunViewStudy(study, {.out = folder / "two", .num_threads = 2}));
+  static_cast<void>(RunViewStudy(study, {.out = folder / "one"}));
+  ASSERT_EQ(run.results.size(), 2U);
+  EXPECT_THAT(ReadTextFile(folder / "one/results.csv"),
+              AllOf(HasSubstr("cell,class,num_views,num_right,share,share_low,share_high\n"),
+                    HasSubstr("linear,all,16,")));
+  for (const char* file : {"results.csv", "answers.csv"}) {
+    EXPECT_EQ(ReadTextFile(folder / "one" / file), ReadTextFile(folder / "two" / file));
+  }
+}
+
+TEST(RunViewStudy, RefusesOtherInputsInTheSameFolder) {
+  const TemporaryDirectory folder;
+  ViewStudy study = MakeSmallViewStudy(folder / "views", ViewTask::kObjectRotation);
+  static_cast<void>(RunViewStudy(study, {.out = folder / "out"}));
+  study.settings.push_back({"candidates", "6"});
+  EXPECT_THROWS_MESSAGE(
+      static_cast<void>(RunViewStudy(study, {.out = folder / "out"})), Error, HasSubstr("study"));
+}
+
+}  // namespace
+}  // namespace handcraft::experiments
