@@ -13,6 +13,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from crc32c import crc32c  # noqa: E402
 
 GOLDEN = pathlib.Path(__file__).resolve().parents[1] / "data/models/v1_logistic.safetensors"
+GOLDEN_CLOUDS = GOLDEN.with_name("v1_object_class.safetensors")
 HEADER = ('{"__metadata__":{"hc.format":"1.0","hc.kind":"none"},'
           '"a":{"dtype":"F32","shape":[2],"data_offsets":[0,8]},'
           '"b":{"dtype":"U8","shape":[1,3],"data_offsets":[8,11]},'
@@ -37,6 +38,12 @@ def changed(old, new, data=DATA):
 
 def golden_changed(old, new):
     data = GOLDEN.read_bytes()
+    assert data.count(old) >= 1 and len(old) == len(new), old
+    return sealed(data.replace(old, new, 1)[:-8])
+
+
+def clouds_changed(old, new):
+    data = GOLDEN_CLOUDS.read_bytes()
     assert data.count(old) >= 1 and len(old) == len(new), old
     return sealed(data.replace(old, new, 1)[:-8])
 
@@ -120,6 +127,10 @@ def content_files():
         golden.replace(struct.pack("<d", -3.0), struct.pack("<d", 3.0))[:-8])
     yield "weights_that_overflow", sealed(
         golden.replace(struct.pack("<d", -3.0), struct.pack("<d", -1.7e308))[:-8])
+    yield "object_class_without_a_descriptor", clouds_changed(
+        b'"cloud_descriptor"', b'"cloud_descripton"')
+    yield "object_class_mask_turned", clouds_changed(
+        b'"selftest.mask":{"dtype":"U8","shape":[8,10]', b'"selftest.mask":{"dtype":"U8","shape":[10,8]')
 
 
 def main():
