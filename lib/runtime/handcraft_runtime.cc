@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <iterator>
 #include <memory>
 #include <new>
 #include <string>
@@ -20,8 +21,8 @@
 #include "lib/runtime/model_file.h"
 #include "lib/runtime/model_handle.h"
 #include "lib/runtime/model_parser.h"
+#include "lib/runtime/object_class_model.h"
 #include "lib/runtime/svm_loader.h"
-#include "lib/runtime/svm_model.h"
 #include "lib/runtime/top_k.h"
 
 namespace {
@@ -35,7 +36,6 @@ using handcraft::runtime::ModelError;
 using handcraft::runtime::ParsedModel;
 using handcraft::runtime::Printable;
 using handcraft::runtime::Result;
-using handcraft::runtime::SvmModel;
 namespace format = handcraft::runtime::format;
 
 /// Largest side of an image or map [px], so that sizes in bytes never overflow.
@@ -58,12 +58,12 @@ Result<ModelPointer> Wrap(Result<Predictor> predictor, ParsedModel& parsed) {
 Result<ModelPointer> BuildModel(ParsedModel& parsed) {
   const std::string kind = ValueOf(parsed, format::kKindKey);
   if (kind != format::kGraspPointKind && kind != format::kLogisticKind &&
-      kind != format::kSvmKind) {
+      kind != format::kSvmKind && kind != format::kObjectClassKind) {
     return MakeError(
         HC_ERROR_KIND,
         format::kLengthBytes,
-        "the model is of kind '%s' and Handcraft %s reads grasp_point, logistic and svm; "
-        "install a newer Handcraft runtime or give another model",
+        "the model is of kind '%s' and Handcraft %s reads grasp_point, logistic, svm and "
+        "object_class; install a newer Handcraft runtime or give another model",
         Printable(kind).c_str(),
         hc_version());
   }
@@ -82,6 +82,9 @@ Result<ModelPointer> BuildModel(ParsedModel& parsed) {
     return Wrap(handcraft::runtime::LoadGraspPointScorer(parsed), parsed);
   }
   if (kind == format::kSvmKind) return Wrap(handcraft::runtime::LoadSvmModel(parsed), parsed);
+  if (kind == format::kObjectClassKind) {
+    return Wrap(handcraft::runtime::LoadObjectClassModel(parsed), parsed);
+  }
   return Wrap(handcraft::runtime::LoadLogisticModel(parsed), parsed);
 }
 
@@ -182,8 +185,11 @@ void hc_model_free(hc_model* model) { delete model; }
 
 hc_kind hc_model_kind(const hc_model* model) {
   if (model == nullptr) return static_cast<hc_kind>(0);
-  if (std::holds_alternative<PixelScorer>(model->predictor)) return HC_KIND_GRASP_POINT;
-  return std::holds_alternative<SvmModel>(model->predictor) ? HC_KIND_SVM : HC_KIND_LOGISTIC;
+  // In the order of the variant's alternatives.
+  constexpr hc_kind kKinds[] = {
+      HC_KIND_GRASP_POINT, HC_KIND_LOGISTIC, HC_KIND_SVM, HC_KIND_OBJECT_CLASS};
+  static_assert(std::size(kKinds) == std::variant_size_v<decltype(model->predictor)>);
+  return kKinds[model->predictor.index()];
 }
 
 const char* hc_model_metadata(const hc_model* model, const char* key) {
@@ -199,7 +205,7 @@ size_t hc_model_num_features(const hc_model* model) {
   if (const auto* scorer = std::get_if<PixelScorer>(&model->predictor)) {
     return static_cast<size_t>(scorer->spec().NumFeatures());
   }
-  if (const auto* svm = std::get_if<SvmModel>(&model->predictor)) return svm->NumFeatures();
+  if (const auto* svm = model->Svm()) return svm->NumFeatures();
   return std::get_if<LogisticModel>(&model->predictor)->weights.size();
 }
 
@@ -344,6 +350,8 @@ const char* hc_status_message(hc_status status) {
       return "The model's self-test gives another answer here than where it was made.";
     case HC_ERROR_IMAGE:
       return "The image is empty, larger than the workspace, or gray where colour is needed.";
+    case HC_ERROR_CLOUD:
+      return "Fewer than three points of the object were measured.";
   }
   return "Unknown status.";
 }

@@ -37,6 +37,7 @@ typedef enum hc_status {
   HC_ERROR_CONTENT = 9,    /**< A tensor is missing, has another shape, or a bad value. */
   HC_ERROR_SELF_TEST = 10, /**< The stored self-test does not give the stored answer here. */
   HC_ERROR_IMAGE = 11,     /**< The image cannot be scored (needs colour, empty, too large). */
+  HC_ERROR_CLOUD = 12,     /**< Fewer than three points of the object were measured. */
 } hc_status;
 
 /** Where and why loading failed; text is always terminated. */
@@ -61,16 +62,18 @@ HC_API void hc_model_free(hc_model* model);
 
 /** What a model is for. */
 typedef enum hc_kind {
-  HC_KIND_GRASP_POINT = 1, /**< Pixel scores of an image: hc_score_image. */
-  HC_KIND_LOGISTIC = 2,    /**< Probability of a row of numbers: hc_predict_row. */
-  HC_KIND_SVM = 3,         /**< Class of a row of numbers: hc_classify_row. */
+  HC_KIND_GRASP_POINT = 1,  /**< Pixel scores of an image: hc_score_image. */
+  HC_KIND_LOGISTIC = 2,     /**< Probability of a row of numbers: hc_predict_row. */
+  HC_KIND_SVM = 3,          /**< Class of a row of numbers: hc_classify_row. */
+  HC_KIND_OBJECT_CLASS = 4, /**< Class of an object's point cloud: hc_classify_cloud. */
 } hc_kind;
 
 /** What the model is for; 0 for null, as with the numbers below. */
 HC_API hc_kind hc_model_kind(const hc_model* model);
 /** Value of a metadata key ("hc.name", …) or null; lives as long as the model. */
 HC_API const char* hc_model_metadata(const hc_model* model, const char* key);
-/** Numbers in a feature vector (grasp point) or in a row (logistic, svm). */
+/** Numbers in a feature vector (grasp point), in a row (logistic, svm) or of
+    a cloud (object_class). */
 HC_API size_t hc_model_num_features(const hc_model* model);
 /** Whether a gray image is refused. */
 HC_API int hc_model_needs_colour(const hc_model* model);
@@ -161,12 +164,15 @@ HC_API hc_status hc_predict_row(const hc_model* model,
                                 size_t size,
                                 double* probability);
 
-/** Classes a model tells apart (svm models); 0 for the other kinds. */
+/** Classes a model tells apart (svm and object_class models); 0 for the other kinds. */
 HC_API size_t hc_model_num_classes(const hc_model* model);
 /** Name of a class, or null when there is none of this number; lives as long as the model. */
 HC_API const char* hc_model_class_name(const hc_model* model, size_t number);
 
-/** Scratch memory for rows (svm models). HC_ERROR_KIND, HC_ERROR_ARGUMENT, HC_ERROR_MEMORY. */
+/**
+ * Scratch memory for rows (svm models) or clouds of any size (object_class models). HC_ERROR_KIND,
+ * HC_ERROR_ARGUMENT, HC_ERROR_MEMORY.
+ */
 HC_API hc_status hc_row_workspace_create(const hc_model* model, hc_workspace** workspace);
 
 typedef struct hc_class_prediction {
@@ -184,6 +190,35 @@ HC_API hc_status hc_classify_row(const hc_model* model,
                                  const double* row,
                                  size_t size,
                                  hc_class_prediction* prediction);
+
+/**
+ * An organised point cloud in the caller's memory [m], in the frame of the model's metadata
+ * (hc.frames): x, y, z of pixel (u, v) at points + v * row_stride + u * point_stride. A point with
+ * a coordinate that is not finite, or beyond 1e6, was not measured.
+ */
+typedef struct hc_cloud {
+  const float* points;
+  int32_t width;        /**< [px] */
+  int32_t height;       /**< [px] */
+  int64_t row_stride;   /**< Floats from one row to the next. */
+  int64_t point_stride; /**< Floats from one point to the next, at least 3. */
+  const uint8_t* mask;  /**< Row v at mask + v * mask_stride; 0: not the object. Null: all is. */
+  int64_t mask_stride;
+} hc_cloud;
+
+/** Decision values of one prediction (svm and object_class models); 0 for the other kinds. */
+HC_API size_t hc_model_num_machines(const hc_model* model);
+
+/**
+ * The class of the object whose points are given (for a box of the picture let `points` and `mask`
+ * begin at its first pixel). decision_values may be null; else it takes hc_model_num_machines
+ * values. Does not allocate. HC_ERROR_KIND, HC_ERROR_ARGUMENT, HC_ERROR_CLOUD.
+ */
+HC_API hc_status hc_classify_cloud(const hc_model* model,
+                                   hc_workspace* workspace,
+                                   const hc_cloud* cloud,
+                                   hc_class_prediction* prediction,
+                                   double* decision_values);
 
 /** One sentence for a status; never null. */
 HC_API const char* hc_status_message(hc_status status);

@@ -14,12 +14,14 @@
 #include "lib/runtime/handcraft_runtime.h"
 #include "lib/runtime/logistic_model.h"
 #include "lib/runtime/model_handle.h"
+#include "lib/runtime/object_class_model.h"
 #include "lib/runtime/svm_model.h"
 
 namespace {
 
 using handcraft::runtime::AlignedBuffer;
 using handcraft::runtime::LogisticModel;
+using handcraft::runtime::ObjectClassModel;
 using handcraft::runtime::SvmModel;
 
 bool AreFinite(const double* row, size_t size) noexcept {
@@ -41,22 +43,23 @@ hc_status hc_predict_row(const hc_model* model,
 }
 
 size_t hc_model_num_classes(const hc_model* model) {
-  const auto* svm = model == nullptr ? nullptr : std::get_if<SvmModel>(&model->predictor);
+  const SvmModel* svm = model == nullptr ? nullptr : model->Svm();
   return svm == nullptr ? 0 : svm->ClassNames().size();
 }
 
 const char* hc_model_class_name(const hc_model* model, size_t number) {
   if (number >= hc_model_num_classes(model)) return nullptr;
-  return std::get_if<SvmModel>(&model->predictor)->ClassNames()[number].c_str();
+  return model->Svm()->ClassNames()[number].c_str();
 }
 
 hc_status hc_row_workspace_create(const hc_model* model, hc_workspace** workspace) {
   if (model == nullptr || workspace == nullptr) return HC_ERROR_ARGUMENT;
   *workspace = nullptr;
-  const auto* svm = std::get_if<SvmModel>(&model->predictor);
+  const SvmModel* svm = model->Svm();
   if (svm == nullptr) return HC_ERROR_KIND;
+  const auto* classes = std::get_if<ObjectClassModel>(&model->predictor);
   try {
-    AlignedBuffer buffer(svm->WorkspaceBytes());
+    AlignedBuffer buffer(classes == nullptr ? svm->WorkspaceBytes() : classes->WorkspaceBytes());
     *workspace = new hc_workspace{std::move(buffer), 0, 0};
   } catch (const std::bad_alloc&) {
     return HC_ERROR_MEMORY;

@@ -7,62 +7,35 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "lib/runtime/content_reader.h"
 
 namespace handcraft::runtime {
 
-/// Takes a support vector machine out of a parsed file, part by part.
-class SvmLoader {
- public:
-  explicit SvmLoader(const ParsedModel& parsed) noexcept : reader_(parsed) {}
-
-  Result<SvmModel> Load() {
-    const bool complete = ReadKernel() && ReadNames() && ReadSupportVectors() && ReadMachines() &&
-                          ReadThreshold() && ReadSelfTest() && reader_.RefuseUnknownTensors();
-    if (!complete) return reader_.error();
-    if (const std::optional<ModelError> error = RunSelfTest()) return *error;
-    return std::move(model_);
-  }
-
- private:
-  bool ReadKernel();
-  bool ReadNames();
-  bool ReadSupportVectors();
-  template <class T>
-  bool ReadRows();
-  bool ReadMachines();
-  bool ReadThreshold();
-  bool ReadSelfTest();
-  std::optional<ModelError> RunSelfTest();
-
-  // Refuses a number of an I32 tensor outside [low, high].
-  bool RequireWithin(const char* tensor,
-                     std::int32_t value,
-                     std::int32_t low,
-                     std::size_t high,
-                     std::size_t entry = 0);
-
-  ContentReader reader_;
-  SvmModel model_;
-  std::vector<double> test_rows_;
-  std::vector<double> test_decisions_;
-  double test_tolerance_ = 0.0;
-};
-
-bool SvmLoader::RequireWithin(
-    const char* tensor, std::int32_t value, std::int32_t low, std::size_t high, std::size_t entry) {
+bool RequireWithin(ContentReader& reader,
+                   const char* tensor,
+                   std::int32_t value,
+                   std::int32_t low,
+                   std::size_t high,
+                   std::size_t entry) {
   if (value >= low && static_cast<std::size_t>(value) <= high) return true;
-  return reader_.Fail(MakeError(HC_ERROR_CONTENT,
-                                reader_.OffsetOf(tensor) + entry * sizeof(std::int32_t),
-                                "entry %zu of the tensor '%s' is %d; a number from %d to %zu was "
-                                "expected",
-                                entry,
-                                tensor,
-                                value,
-                                low,
-                                high));
+  return reader.Fail(MakeError(HC_ERROR_CONTENT,
+                               reader.OffsetOf(tensor) + entry * sizeof(std::int32_t),
+                               "entry %zu of the tensor '%s' is %d; a number from %d to %zu was "
+                               "expected",
+                               entry,
+                               tensor,
+                               value,
+                               low,
+                               high));
+}
+
+bool SvmLoader::Read() {
+  return ReadKernel() && ReadNames() && ReadSupportVectors() && ReadMachines() && ReadThreshold();
 }
 
 bool SvmLoader::ReadKernel() {
@@ -71,12 +44,12 @@ bool SvmLoader::ReadKernel() {
   std::int32_t degree = 0;
   std::int32_t scheme = 0;
   features::Similarity& similarity = model_.similarity_;
-  if (!reader_.ReadOne("kernel", type) || !RequireWithin("kernel", type, 0, 2) ||
+  if (!reader_.ReadOne("kernel", type) || !RequireWithin(reader_, "kernel", type, 0, 2) ||
       !reader_.ReadOne("kernel_degree", degree) ||
-      !RequireWithin("kernel_degree", degree, 1, kMaxDegree) ||
+      !RequireWithin(reader_, "kernel_degree", degree, 1, kMaxDegree) ||
       !reader_.ReadOne("kernel_gamma", similarity.gamma) ||
       !reader_.ReadOne("kernel_coef0", similarity.coef0) || !reader_.ReadOne("scheme", scheme) ||
-      !RequireWithin("scheme", scheme, 0, 1)) {
+      !RequireWithin(reader_, "scheme", scheme, 0, 1)) {
     return false;
   }
   similarity.type = static_cast<features::SimilarityType>(type);
@@ -92,20 +65,16 @@ bool SvmLoader::ReadKernel() {
 // The number of columns and of classes is that of feature_mean and class_counts.
 bool SvmLoader::ReadNames() {
   std::int32_t num_classes = 0;
-  std::vector<std::string> columns;  // for people and table readers
   constexpr std::size_t kMaxClasses = 4096;
   if (!reader_.Read("feature_mean", {kAnyLength}, model_.feature_mean_) ||
       !reader_.CheckNormaliser(model_.feature_mean_.size()) ||
       !reader_.Read("feature_scale", {model_.feature_mean_.size()}, model_.feature_scale_) ||
       !reader_.ReadOne("num_classes", num_classes) ||
-      !RequireWithin("num_classes", num_classes, 2, kMaxClasses)) {
+      !RequireWithin(reader_, "num_classes", num_classes, 2, kMaxClasses)) {
     return false;
   }
-  return reader_.ReadNames("class_names",
-                           static_cast<std::size_t>(num_classes),
-                           "classes",
-                           model_.class_names_) &&
-         reader_.ReadNames("column_names", model_.feature_mean_.size(), "columns", columns);
+  return reader_.ReadNames(
+      "class_names", static_cast<std::size_t>(num_classes), "classes", model_.class_names_);
 }
 
 template <class T>
@@ -139,7 +108,8 @@ bool SvmLoader::ReadSupportVectors() {
   std::vector<std::int32_t> classes;
   if (!reader_.Read("support_classes", {model_.squared_norms_.size()}, classes)) return false;
   for (std::size_t v = 0; v < classes.size(); ++v) {
-    if (!RequireWithin("support_classes", classes[v], 0, model_.class_names_.size() - 1, v)) {
+    if (!RequireWithin(
+            reader_, "support_classes", classes[v], 0, model_.class_names_.size() - 1, v)) {
       return false;
     }
   }
@@ -155,13 +125,14 @@ bool SvmLoader::ReadMachines() {
       !reader_.Read("machine_begins", {num_machines + 1}, begins) ||
       !reader_.Read("machine_supports", {kAnyLength}, supports) ||
       !reader_.Read("dual_coefficients", {supports.size()}, model_.dual_coefficients_) ||
-      !RequireWithin("machine_begins", begins[0], 0, 0)) {
+      !RequireWithin(reader_, "machine_begins", begins[0], 0, 0)) {
     return false;
   }
   for (std::size_t m = 0; m < num_machines; ++m) {
     const std::size_t low =
         m + 1 == num_machines ? supports.size() : static_cast<std::size_t>(begins[m]);
-    if (!RequireWithin("machine_begins",
+    if (!RequireWithin(reader_,
+                       "machine_begins",
                        begins[m + 1],
                        static_cast<std::int32_t>(low),
                        supports.size(),
@@ -170,7 +141,8 @@ bool SvmLoader::ReadMachines() {
     }
   }
   for (std::size_t k = 0; k < supports.size(); ++k) {
-    if (!RequireWithin("machine_supports", supports[k], 0, model_.squared_norms_.size() - 1, k)) {
+    if (!RequireWithin(
+            reader_, "machine_supports", supports[k], 0, model_.squared_norms_.size() - 1, k)) {
       return false;
     }
   }
@@ -182,49 +154,78 @@ bool SvmLoader::ReadThreshold() {
   return reader_.ReadOne("rejection_threshold", model_.rejection_threshold_.emplace());
 }
 
-bool SvmLoader::ReadSelfTest() {
-  if (!reader_.Read("selftest.input", {kAnyLength, model_.NumFeatures()}, test_rows_) ||
-      !reader_.Read("selftest.output",
-                    {test_rows_.size() / model_.NumFeatures(), model_.NumMachines()},
-                    test_decisions_) ||
-      !reader_.ReadOne("selftest.tolerance", test_tolerance_)) {
-    return false;
-  }
-  if (test_tolerance_ > 0.0 && test_tolerance_ <= 1e-3) return true;
-  return reader_.Fail(MakeError(HC_ERROR_CONTENT,
-                                reader_.OffsetOf("selftest.tolerance"),
-                                "the tensor 'selftest.tolerance' holds %g; above 0 and at most "
-                                "0.001 was expected",
-                                test_tolerance_));
+namespace {
+
+// § 9.2: rows, one after another, and the values of each.
+struct SelfTest {
+  std::vector<double> rows;
+  std::vector<double> decisions;
+  double tolerance = 0.0;
+};
+
+bool ReadSelfTest(ContentReader& reader, const SvmModel& model, SelfTest& test) {
+  return reader.Read("selftest.input", {kAnyLength, model.NumFeatures()}, test.rows) &&
+         reader.Read("selftest.output",
+                     {test.rows.size() / model.NumFeatures(), model.NumMachines()},
+                     test.decisions) &&
+         ReadSelfTestTolerance(reader, test.tolerance);
 }
 
-std::optional<ModelError> SvmLoader::RunSelfTest() {
-  const AlignedBuffer workspace(model_.WorkspaceBytes());
-  const std::size_t num_features = model_.NumFeatures();
-  const std::size_t num_machines = model_.NumMachines();
-  for (std::size_t r = 0; r * num_features < test_rows_.size(); ++r) {
-    const std::span<const double> decisions =
-        model_.Decide(std::span<const double>(test_rows_).subspan(r * num_features, num_features),
-                      workspace.Bytes());
-    for (std::size_t m = 0; m < num_machines; ++m) {
-      const double expected = test_decisions_[r * num_machines + m];
-      const double magnitude = model_.Magnitude(m, workspace.Bytes());
-      // A NaN fails as well.
-      if (std::fabs(decisions[m] - expected) <= test_tolerance_ * magnitude) continue;
-      return MakeError(
-          HC_ERROR_SELF_TEST,
-          kNoOffset,
-          "the self-test gives %.17g for machine %zu on row %zu where the model stores "
-          "%.17g; train it again with this version of Handcraft",
-          decisions[m],
-          m,
-          r,
-          expected);
-    }
+}  // namespace
+
+bool ReadSelfTestTolerance(ContentReader& reader, double& tolerance) {
+  if (!reader.ReadOne("selftest.tolerance", tolerance)) return false;
+  if (tolerance > 0.0 && tolerance <= 1e-3) return true;
+  return reader.Fail(MakeError(HC_ERROR_CONTENT,
+                               reader.OffsetOf("selftest.tolerance"),
+                               "the tensor 'selftest.tolerance' holds %g; above 0 and at most "
+                               "0.001 was expected",
+                               tolerance));
+}
+
+std::optional<ModelError> CheckSelfTestRow(const SvmModel& model,
+                                           std::span<const double> expected,
+                                           double tolerance,
+                                           std::size_t row,
+                                           std::span<std::byte> workspace) {
+  const std::span<const double> decisions = model.Decisions(workspace);
+  for (std::size_t m = 0; m < decisions.size(); ++m) {
+    // A NaN fails as well.
+    if (std::fabs(decisions[m] - expected[m]) <= tolerance * model.Magnitude(m, workspace))
+      continue;
+    return MakeError(HC_ERROR_SELF_TEST,
+                     kNoOffset,
+                     "the self-test gives %.17g for machine %zu on row %zu where the model stores "
+                     "%.17g; train it again with this version of Handcraft",
+                     decisions[m],
+                     m,
+                     row,
+                     expected[m]);
   }
   return std::nullopt;
 }
 
-Result<SvmModel> LoadSvmModel(const ParsedModel& parsed) { return SvmLoader(parsed).Load(); }
+Result<SvmModel> LoadSvmModel(const ParsedModel& parsed) {
+  ContentReader reader(parsed);
+  SvmModel model;
+  SelfTest test;
+  std::vector<std::string> columns;  // for people and table readers
+  const bool complete = SvmLoader(reader, model).Read() &&
+                        reader.ReadNames("column_names", model.NumFeatures(), "columns", columns) &&
+                        ReadSelfTest(reader, model, test) && reader.RefuseUnknownTensors();
+  if (!complete) return reader.error();
+  const AlignedBuffer workspace(model.WorkspaceBytes());
+  const std::size_t p = model.NumFeatures();
+  const std::size_t m = model.NumMachines();
+  for (std::size_t r = 0; r * p < test.rows.size(); ++r) {
+    static_cast<void>(model.Predict(std::span(test.rows).subspan(r * p, p), workspace.Bytes()));
+    const auto expected = std::span(test.decisions).subspan(r * m, m);
+    if (const auto error =
+            CheckSelfTestRow(model, expected, test.tolerance, r, workspace.Bytes())) {
+      return *error;
+    }
+  }
+  return model;
+}
 
 }  // namespace handcraft::runtime

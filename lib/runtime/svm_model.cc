@@ -86,7 +86,6 @@ void SvmModel::Evaluate(std::span<const double> row, const Scratch& scratch) con
   }
 }
 
-// What the rounding of a machine's last value is to be measured by: |b| + Σ |βK|.
 double SvmModel::Magnitude(std::size_t machine, std::span<std::byte> workspace) const noexcept {
   const Scratch scratch = Divide(workspace);
   double magnitude = std::fabs(intercepts_[machine]);
@@ -98,11 +97,8 @@ double SvmModel::Magnitude(std::size_t machine, std::span<std::byte> workspace) 
   return magnitude;
 }
 
-std::span<const double> SvmModel::Decide(std::span<const double> row,
-                                         std::span<std::byte> workspace) const noexcept {
-  const Scratch scratch = Divide(workspace);
-  Evaluate(row, scratch);
-  return scratch.decisions;
+std::span<const double> SvmModel::Decisions(std::span<std::byte> workspace) const noexcept {
+  return Divide(workspace).decisions;
 }
 
 SvmModel::Prediction SvmModel::Predict(std::span<const double> row,

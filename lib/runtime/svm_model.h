@@ -38,7 +38,7 @@ class SvmModel {
   [[nodiscard]] std::size_t NumMachines() const noexcept { return intercepts_.size(); }
   [[nodiscard]] const std::vector<std::string>& ClassNames() const noexcept { return class_names_; }
 
-  /// Bytes of scratch memory, aligned to 64, that Predict and Decide work in.
+  /// Bytes of scratch memory, aligned to 64, that Predict works in.
   [[nodiscard]] std::size_t WorkspaceBytes() const noexcept;
 
   /// The class of a row of NumFeatures() finite numbers. One product of the matrix of support
@@ -46,9 +46,12 @@ class SvmModel {
   [[nodiscard]] Prediction Predict(std::span<const double> row,
                                    std::span<std::byte> workspace) const noexcept;
 
-  /// The decision value of every machine; the span lies in the workspace.
-  [[nodiscard]] std::span<const double> Decide(std::span<const double> row,
-                                               std::span<std::byte> workspace) const noexcept;
+  /// The value of every machine in the last prediction made in the workspace, where they lie.
+  [[nodiscard]] std::span<const double> Decisions(std::span<std::byte> workspace) const noexcept;
+
+  /// What the rounding of such a value is to be measured by: |b| + Σ |βK|.
+  [[nodiscard]] double Magnitude(std::size_t machine,
+                                 std::span<std::byte> workspace) const noexcept;
 
  private:
   friend class SvmLoader;
@@ -60,8 +63,6 @@ class SvmModel {
                           std::span<const double> row,
                           const Scratch& scratch) const noexcept;
   void Evaluate(std::span<const double> row, const Scratch& scratch) const noexcept;
-  [[nodiscard]] double Magnitude(std::size_t machine,
-                                 std::span<std::byte> workspace) const noexcept;
 
   features::Similarity similarity_;
   features::ClassScheme scheme_ = features::ClassScheme::kOneAgainstOne;

@@ -37,10 +37,14 @@ def changed(old, new, data=DATA):
     return file_of(HEADER.replace(old, new, 1), data)
 
 
-def golden_changed(old, new):
-    data = GOLDEN.read_bytes()
+def model_changed(name, old, new):
+    data = (MODELS / f"{name}.safetensors").read_bytes()
     assert data.count(old) >= 1 and len(old) == len(new), old
     return sealed(data.replace(old, new, 1)[:-8])
+
+
+def golden_changed(old, new):
+    return model_changed("v1_logistic", old, new)
 
 
 def svm_with(tensor, entry, value):
@@ -132,6 +136,11 @@ def content_files():
         golden.replace(struct.pack("<d", -3.0), struct.pack("<d", 3.0))[:-8])
     yield "weights_that_overflow", sealed(
         golden.replace(struct.pack("<d", -3.0), struct.pack("<d", -1.7e308))[:-8])
+    yield "object_class_without_a_descriptor", model_changed(
+        "v1_object_class", b'"cloud_descriptor"', b'"cloud_descripton"')
+    yield "object_class_mask_turned", model_changed(
+        "v1_object_class", b'"selftest.mask":{"dtype":"U8","shape":[8,10]',
+        b'"selftest.mask":{"dtype":"U8","shape":[10,8]')
 
 
 def svm_files():

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <span>
 #include <string>
 #include <vector>
@@ -54,6 +55,20 @@ void ClassifyARow(const hc_model* model) {
   hc_workspace_free(workspace);
 }
 
+void ClassifyACloud(const hc_model* model) {
+  constexpr std::int32_t kSide = 9;
+  float points[kSide * kSide * 3];
+  for (std::size_t i = 0; i < std::size(points); ++i) points[i] = static_cast<float>(i * i % 31);
+  const hc_cloud cloud{points, kSide, kSide, 3 * kSide, 3, nullptr, 0};
+  hc_workspace* workspace = nullptr;
+  Require(hc_row_workspace_create(model, &workspace) == HC_OK);
+  std::vector<double> values(hc_model_num_machines(model));
+  hc_class_prediction prediction{};
+  Require(hc_classify_cloud(model, workspace, &cloud, &prediction, values.data()) == HC_OK);
+  Require(hc_model_class_name(model, static_cast<std::size_t>(prediction.number)) != nullptr);
+  hc_workspace_free(workspace);
+}
+
 void Use(const hc_model* model) {
   switch (hc_model_kind(model)) {
     case HC_KIND_GRASP_POINT:
@@ -62,6 +77,8 @@ void Use(const hc_model* model) {
       return PredictARow(model);
     case HC_KIND_SVM:
       return ClassifyARow(model);
+    case HC_KIND_OBJECT_CLASS:
+      return ClassifyACloud(model);
     default:
       return;
   }

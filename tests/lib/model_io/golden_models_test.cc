@@ -73,6 +73,25 @@ TEST(GoldenModels, OfFormat1ClassifyRowsAsTheyDid) {
   hc_model_free(model);
 }
 
+TEST(GoldenModels, OfFormat1ClassifyCloudsAsTheyDid) {
+  hc_model* model = Load("v1_object_class.safetensors");
+  hc_workspace* workspace = nullptr;
+  ASSERT_EQ(hc_row_workspace_create(model, &workspace), HC_OK);
+  // Two by two pixels at depths 1, 3, 2 and 2: F = (−1, 1, 0, 0).
+  const float points[] = {1, 0, 0, 3, 1, 0, 2, 0, 1, 2, 1, 1};
+  const hc_cloud cloud{points, 2, 2, 6, 3, nullptr, 0};
+  hc_class_prediction prediction{};
+  double values[3];
+  ASSERT_EQ(hc_classify_cloud(model, workspace, &cloud, &prediction, values), HC_OK);
+  EXPECT_EQ(std::string(hc_model_class_name(model, 1)), "mug");
+  EXPECT_EQ(prediction.number, 1);
+  EXPECT_EQ(values[0], -2.0);
+  EXPECT_EQ(values[1], -1.0);
+  EXPECT_EQ(values[2], 1.0);
+  hc_workspace_free(workspace);
+  hc_model_free(model);
+}
+
 // Reading and writing again changes no byte: one model has one encoding.
 TEST(GoldenModels, AreWrittenAgainAsTheyAre) {
   int num_files = 0;
@@ -82,7 +101,7 @@ TEST(GoldenModels, AreWrittenAgainAsTheyAre) {
     const std::vector<std::uint8_t> bytes = ReadFile(entry.path());
     EXPECT_EQ(model_io::Serialise(model_io::Parse(bytes, entry.path())), bytes) << entry.path();
   }
-  EXPECT_EQ(num_files, 4);
+  EXPECT_EQ(num_files, 5);
 }
 
 }  // namespace

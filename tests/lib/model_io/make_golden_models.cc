@@ -28,6 +28,8 @@ int main(int argc, char** argv) {
                         handcraft::model_io::Serialise(testing::SomeLogisticModel()));
     WriteFileAtomically(folder / "v1_svm.safetensors",
                         handcraft::model_io::Serialise(testing::SomeSvmModel()));
+    WriteFileAtomically(folder / "v1_object_class.safetensors",
+                        handcraft::model_io::Serialise(testing::SomeObjectClassModel()));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

@@ -70,7 +70,7 @@ TEST(SvmModels, SelfTestByHand) {
 TEST(SvmModels, RefuseOtherKindsAndNames) {
   EXPECT_THROWS_MESSAGE((ReadSvmModel(testing::SomeLogisticModel())),
                         Error,
-                        HasSubstr("a model of kind 'logistic', not a support vector machine"));
+                        HasSubstr("a model of kind 'logistic', not of kind svm"));
   ModelFile file = SomeSvmModel();
   file.tensors.erase("intercepts");
   EXPECT_THROWS_MESSAGE((ReadSvmModel(file)),

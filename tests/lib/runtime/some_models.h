@@ -14,7 +14,9 @@
 #include "lib/core/rng.h"
 #include "lib/features/pixel_features.h"
 #include "lib/model_io/linear_models.h"
+#include "lib/model_io/object_class_models.h"
 #include "lib/model_io/svm_models.h"
+#include "tests/lib/features/some_object.h"
 
 namespace handcraft::testing {
 
@@ -119,6 +121,27 @@ inline model_io::ModelFile SomeSvmModel(const model_io::SvmModel& model = SomeSv
   model_io::Provenance provenance;
   provenance.name = "some_objects";
   return model_io::MakeSvmModel(model, SomeSvmNames(), provenance);
+}
+
+/// Three classes told apart by the depth of four cells: f01 = F0 − F1, f02 = F0 − F2, f12 = F1 −
+/// F2.
+inline model_io::ObjectClassModel SomeObjectClasses() {
+  model_io::ObjectClassModel model{
+      .descriptor = {.type = features::CloudDescriptorType::kDepthGrid, .grid_size = 2},
+      .svm = SomeSvm(),
+      .classes = {"bottle", "mug", "drill"}};
+  model.svm.feature_mean.assign(4, 0.0);
+  model.svm.feature_scale.assign(4, 1.0);
+  model.svm.support_vectors = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+  model.svm.intercepts = {0.0, 0.0, 0.0};
+  return model;
+}
+
+inline model_io::ModelFile SomeObjectClassModel(
+    const model_io::ObjectClassModel& model = SomeObjectClasses()) {
+  model_io::Provenance provenance;
+  provenance.name = "some_clouds";
+  return model_io::MakeObjectClassModel(model, SomeObject(12, 10).View(), provenance);
 }
 
 }  // namespace handcraft::testing

@@ -26,7 +26,8 @@ SvmModel Load(const model_io::SvmModel& model) {
 
 std::vector<double> Decide(const SvmModel& model, const std::vector<double>& row) {
   const AlignedBuffer workspace(model.WorkspaceBytes());
-  const std::span<const double> values = model.Decide(row, workspace.Bytes());
+  static_cast<void>(model.Predict(row, workspace.Bytes()));
+  const std::span<const double> values = model.Decisions(workspace.Bytes());
   return {values.begin(), values.end()};
 }
 

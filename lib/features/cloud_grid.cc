@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "lib/features/cloud_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace handcraft::features {
+namespace {
+
+// The first of `size` pixels whose middle lies in cell number `cell` of `side`, or beyond it.
+int CellBegin(int cell, int size, int side) noexcept {
+  // (pixel + ½) · side / size ≥ cell, in whole numbers.
+  const std::int64_t twice = 2 * std::int64_t{cell} * size - side;
+  return twice <= 0 ? 0 : static_cast<int>((twice + 2 * side - 1) / (2 * std::int64_t{side}));
+}
+
+void AddPoint(const float* point, CellSum& sum) noexcept {
+  sum.x += static_cast<double>(point[0]);
+  sum.y += static_cast<double>(point[1]);
+  sum.z += static_cast<double>(point[2]);
+  sum.count += 1.0;
+}
+
+// One row's share of a cell: columns from `u` to `end`.
+void AddRun(const ObjectCloud& cloud, int u, int end, int v, CellSum& sum) noexcept {
+  CellSum run = sum;
+  for (; u < end; ++u) {
+    if (cloud.Has(u, v)) AddPoint(cloud.Point(u, v), run);
+  }
+  sum = run;
+}
+
+struct Centre {
+  double u = 0.0;  // [px]
+  double v = 0.0;
+  double radius = 0.0;  // of the farthest point
+};
+
+// The mean pixel of the object's points, and how far the farthest is from it.
+Centre FindCentre(const ObjectCloud& cloud, const PixelExtent& extent) noexcept {
+  Centre centre;
+  double count = 0.0;
+  for (int v = extent.v_begin; v < extent.v_end; ++v) {
+    for (int u = extent.u_begin; u < extent.u_end; ++u) {
+      if (!cloud.Has(u, v)) continue;
+      centre.u += u;
+      centre.v += v;
+      count += 1.0;
+    }
+  }
+  if (count == 0.0) return centre;
+  centre.u /= count;
+  centre.v /= count;
+  for (int v = extent.v_begin; v < extent.v_end; ++v) {
+    for (int u = extent.u_begin; u < extent.u_end; ++u) {
+      if (!cloud.Has(u, v)) continue;
+      centre.radius = std::max(centre.radius, std::hypot(u - centre.u, v - centre.v));
+    }
+  }
+  return centre;
+}
+
+}  // namespace
+
+std::size_t SumCells(const ObjectCloud& cloud, int side, std::span<CellSum> sums) noexcept {
+  std::fill(sums.begin(), sums.end(), CellSum{});
+  const PixelExtent extent = FindExtent(cloud);
+  for (int row = 0; row < side; ++row) {
+    const int v_end = extent.v_begin + CellBegin(row + 1, extent.Height(), side);
+    for (int v = extent.v_begin + CellBegin(row, extent.Height(), side); v < v_end; ++v) {
+      CellSum* cells = sums.data() + static_cast<std::ptrdiff_t>(row) * side;
+      int u = extent.u_begin;
+      for (int column = 0; column < side; ++column) {
+        const int u_end = extent.u_begin + CellBegin(column + 1, extent.Width(), side);
+        AddRun(cloud, u, u_end, v, cells[column]);
+        u = u_end;
+      }
+    }
+  }
+  double count = 0.0;
+  for (const CellSum& sum : sums) count += sum.count;
+  return static_cast<std::size_t>(count);
+}
+
+std::size_t SumPolarCells(const ObjectCloud& cloud, int side, std::span<CellSum> sums) noexcept {
+  std::fill(sums.begin(), sums.end(), CellSum{});
+  const PixelExtent extent = FindExtent(cloud);
+  const Centre centre = FindCentre(cloud, extent);
+  const double rings_a_px = centre.radius > 0.0 ? side / centre.radius : 0.0;
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  std::size_t count = 0;
+  for (int v = extent.v_begin; v < extent.v_end; ++v) {
+    for (int u = extent.u_begin; u < extent.u_end; ++u) {
+      if (!cloud.Has(u, v)) continue;
+      const double du = u - centre.u;
+      const double dv = v - centre.v;
+      const double angle = std::atan2(dv, du);
+      const double turn = (angle < 0.0 ? angle + kTurn : angle) / kTurn;
+      const int ring = std::min(side - 1, static_cast<int>(std::hypot(du, dv) * rings_a_px));
+      const int sector = std::min(side - 1, static_cast<int>(turn * side));
+      AddPoint(cloud.Point(u, v), sums[static_cast<std::size_t>(ring * side + sector)]);
+      ++count;
+    }
+  }
+  return count;
+}
+
+}  // namespace handcraft::features
