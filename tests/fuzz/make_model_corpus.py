@@ -13,6 +13,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from crc32c import crc32c  # noqa: E402
 
 GOLDEN = pathlib.Path(__file__).resolve().parents[1] / "data/models/v1_logistic.safetensors"
+LIBRARY = GOLDEN.with_name("v1_grasp_library.safetensors")
 HEADER = ('{"__metadata__":{"hc.format":"1.0","hc.kind":"none"},'
           '"a":{"dtype":"F32","shape":[2],"data_offsets":[0,8]},'
           '"b":{"dtype":"U8","shape":[1,3],"data_offsets":[8,11]},'
@@ -122,12 +123,29 @@ def content_files():
         golden.replace(struct.pack("<d", -3.0), struct.pack("<d", -1.7e308))[:-8])
 
 
+def library_files():
+    """Grasp libraries that break § 10."""
+    golden = LIBRARY.read_bytes()
+
+    def with_begins(old, new):
+        assert golden.count(struct.pack(f"<{len(old)}i", *old)) >= 1, old
+        return sealed(golden.replace(struct.pack(f"<{len(old)}i", *old),
+                                     struct.pack(f"<{len(new)}i", *new), 1)[:-8])
+
+    yield "library_without_poses_at_an_angle", with_begins((0, 20, 40), (0, 40, 40))
+    yield "library_begins_that_fall", with_begins((0, 20, 40), (0, 60, 40))
+    yield "library_begins_beyond_the_end", with_begins((140, 160), (140, 2**31 - 1))
+    yield "library_begins_below_zero", with_begins((0, 20, 40), (-20, 20, 40))
+    yield "library_rejection_below_zero", sealed(
+        golden.replace(struct.pack("<d", 0.05), struct.pack("<d", -0.05))[:-8])
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     folder = pathlib.Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
-    files = [*container_files(), *content_files()]
+    files = [*container_files(), *content_files(), *library_files()]
     assert len({name for name, _ in files}) == len(files)
     for name, data in files:
         (folder / f"{name}.safetensors").write_bytes(data)

@@ -85,6 +85,8 @@ UNFINISHED = re.compile(r"\b(TO[D]O|FIX[M]E)\b")
 SPDX_HEADER = re.compile(r"(//|/\*) SPDX-FileCopyrightText: 2026 the Handcraft authors\n"
                          r"(//| \*) SPDX-License-Identifier: BSD-3-Clause\n")
 MAX_HEADER_LINES = 200
+MAX_INTERFACE_LINES = 400  # of the one header that is installed
+INTERFACE_HEADER = "lib/runtime/handcraft_runtime.h"
 MAX_SOURCE_LINES = 400  # also of -inl.h: code that is compiled once for each instruction set
 MAX_TEST_LINES = 450
 
@@ -169,6 +171,8 @@ def without_comments(text: str) -> str:
 def max_lines(path: str) -> int:
     if path.startswith("tests/"):
         return MAX_TEST_LINES
+    if path == INTERFACE_HEADER:
+        return MAX_INTERFACE_LINES
     is_header = path.endswith(".h") and not path.endswith("-inl.h")
     return MAX_HEADER_LINES if is_header else MAX_SOURCE_LINES
 

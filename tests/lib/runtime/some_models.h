@@ -13,8 +13,10 @@
 #include "lib/core/image.h"
 #include "lib/core/rng.h"
 #include "lib/features/pixel_features.h"
+#include "lib/model_io/grasp_library_models.h"
 #include "lib/model_io/linear_models.h"
 #include "lib/model_io/svm_models.h"
+#include "tests/lib/features/some_grasp_library.h"
 
 namespace handcraft::testing {
 
@@ -119,6 +121,15 @@ inline model_io::ModelFile SomeSvmModel(const model_io::SvmModel& model = SomeSv
   model_io::Provenance provenance;
   provenance.name = "some_objects";
   return model_io::MakeSvmModel(model, SomeSvmNames(), provenance);
+}
+
+inline model_io::ModelFile SomeGraspLibraryModel() {
+  model_io::Provenance provenance;
+  provenance.name = "some_grasps";
+  return model_io::MakeGraspLibraryModel(
+      features::testing::SomeGraspLibrary(),
+      {.classes = {"mug", "drill"}, .robot = "some_robot", .joints = {"j1", "j2"}},
+      provenance);
 }
 
 }  // namespace handcraft::testing
