@@ -25,6 +25,7 @@ void AddDataSynthGraspPoints(CLI::App& parent, const Console& console);
 void AddDataSynthMoved(CLI::App& parent, const Console& console);
 void AddDataSynthRegrasp(CLI::App& parent, const Console& console);
 void AddDataSynthTurntable(CLI::App& parent, const Console& console);
+void AddTrainGraspLibrary(CLI::App& parent, const Console& console);
 void AddTrainGraspPoints(CLI::App& parent, const Console& console);
 void AddTrainLda(CLI::App& parent, const Console& console);
 void AddTrainLogistic(CLI::App& parent, const Console& console);

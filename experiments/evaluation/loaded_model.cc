@@ -57,6 +57,10 @@ std::string_view KindName(hc_kind kind) noexcept {
       return "logistic";
     case HC_KIND_SVM:
       return "svm";
+    case HC_KIND_OBJECT_CLASS:
+      return "object_class";
+    case HC_KIND_GRASP_LIBRARY:
+      return "grasp_library";
   }
   return "unknown";
 }

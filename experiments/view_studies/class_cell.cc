@@ -29,9 +29,9 @@ double SecondsSince(Clock::time_point start) {
 
 // The views of the classes that a cell learns, with their features.
 struct Samples {
-  std::vector<std::string> classes;
-  std::vector<std::uint32_t> numbers;
-  std::vector<float> values;
+  std::vector<std::string> classes = {};
+  std::vector<std::uint32_t> numbers = {};
+  std::vector<float> values = {};
   std::size_t num_features = 0;
 
   [[nodiscard]] DesignMatrix<float> Matrix() const noexcept {
@@ -87,7 +87,7 @@ AnswerCounts NoAnswers(const ViewStudy& study,
 }
 
 model_io::SvmNames NamesOf(const Samples& samples) {
-  model_io::SvmNames names{.classes = samples.classes, .label_column = "class"};
+  model_io::SvmNames names{.columns = {}, .classes = samples.classes, .label_column = "class"};
   names.columns.reserve(samples.num_features);
   for (std::size_t i = 0; i < samples.num_features; ++i) names.columns.push_back(NumberToText(i));
   return names;

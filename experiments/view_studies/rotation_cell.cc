@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "datasets/described_views.h"
 #include "lib/core/error.h"
-#include "lib/core/parallel.h"
 #include "lib/features/object_rotation.h"
 
 namespace handcraft::experiments {
@@ -29,45 +29,22 @@ struct DescribedView {
   double angle_deg = 0.0;
 };
 
-features::ViewDescription Describe(const datasets::ViewSet& set, std::size_t index) {
-  const datasets::LoadedView view = datasets::ReadView(set, index);
-  const std::string path = (set.root / set.items[index].image).string();
-  if (!view.cloud) throw Error({.path = path, .reason = "the view has no cloud"});
-  const datasets::OrganisedCloud& cloud = *view.cloud;
-  const features::ObjectCloud object{.points = cloud.points.front().data(),
-                                     .width = cloud.width,
-                                     .height = cloud.height,
-                                     .row_stride = std::ptrdiff_t{3} * cloud.width,
-                                     .mask = view.object_mask.Row(0),
-                                     .mask_stride = view.object_mask.width()};
-  std::vector<float> scratch(features::ObjectPlaneScratch(cloud.width, cloud.height));
-  features::ViewDescription description;
-  const features::CloudFault fault = features::DescribeView(object, scratch, description);
-  if (fault == features::CloudFault::kNone) return description;
-  throw Error({.path = path,
-               .reason = fmt::format("the object {}", features::NameOf(fault)),
-               .remedy = "leave the view out"});
-}
-
 // All views that can be asked about, with their descriptions.
 std::vector<DescribedView> DescribeAll(const ViewData& data, int num_threads) {
   std::vector<DescribedView> views;
-  std::vector<std::pair<const datasets::ViewSet*, std::size_t>> places;
   std::size_t number = 0;
   for (const datasets::ViewSet& set : data.sets) {
+    const std::vector<features::ViewDescription> descriptions =
+        datasets::DescribeViews(set, num_threads, {});
     for (std::size_t i = 0; i < set.items.size(); ++i, ++number) {
       const datasets::ObjectView& item = set.items[i];
       if (!item.angle_deg || item.symmetry == "round") continue;
-      views.push_back({.description = {},
+      views.push_back({.description = descriptions[i],
                        .label = data.labels[number],
                        .symmetry = item.symmetry.empty() ? "none" : item.symmetry,
                        .angle_deg = *item.angle_deg});
-      places.emplace_back(&set, i);
     }
   }
-  ParallelFor(views.size(), num_threads, [&](std::size_t i) {
-    views[i].description = Describe(*places[i].first, places[i].second);
-  });
   return views;
 }
 

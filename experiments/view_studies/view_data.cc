@@ -4,6 +4,7 @@
 #include "experiments/view_studies/view_data.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -60,7 +61,7 @@ ViewData ProvideViews(const ViewSource& source,
     data.sets.push_back(datasets::ReadViewSet(source.folder));
   }
   const std::size_t num_families = std::max<std::size_t>(source.families.size(), 1);
-  std::string fingerprints;
+  std::string fingerprints;  // a line a set
   for (std::size_t i = 0; i < data.sets.size(); ++i) {
     const std::string ending =
         source.num_sets > 1 ? fmt::format(" {}", i / num_families + 1) : std::string();
@@ -73,7 +74,8 @@ ViewData ProvideViews(const ViewSource& source,
     }
     fingerprints += datasets::Fingerprint(data.sets[i]) + "\n";
   }
-  data.fingerprint = Sha256Hex(fingerprints);
+  data.fingerprint =
+      Sha256Hex({reinterpret_cast<const std::uint8_t*>(fingerprints.data()), fingerprints.size()});
   return data;
 }
 

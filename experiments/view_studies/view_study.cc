@@ -189,7 +189,7 @@ std::vector<ViewCell> MakeViewCells(const ViewStudy& study) {
                     .method = method.name,
                     .factors = factors,
                     .settings = {}};
-      for (const auto* list : {&study.settings, &method.settings, &cell.factors}) {
+      for (const auto* list : {&study.settings, &method.settings, &factors}) {
         for (const Setting& setting : *list) ApplyViewSetting(setting, cell.settings);
       }
       cells.push_back(std::move(cell));

@@ -3,7 +3,9 @@
 
 #include "lib/perception/plane_fit.h"
 
-#include <Eigen/Eigenvalues>
+#include <array>
+
+#include "lib/features/small_eigen.h"
 
 namespace handcraft::perception {
 
@@ -26,11 +28,11 @@ std::optional<Plane> PlaneFit::Solve() const {
   const Eigen::Vector3d mean = sum_ / count;
   const Eigen::Matrix3d covariance = products_ / count - mean * mean.transpose();
   if (!covariance.allFinite()) return std::nullopt;
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(covariance);
-  const Eigen::Vector3d& variances = solver.eigenvalues();  // ascending
-  if (!(variances[1] > kLeastSpread * variances[2])) return std::nullopt;
-  const Eigen::Vector3d normal = solver.eigenvectors().col(0).normalized();
+  std::array<double, 9> entries;
+  Eigen::Map<Eigen::Matrix3d>(entries.data()) = covariance;
+  const features::SmallEigen<3> eigen = features::EigenOfSymmetric<3>(entries);
+  if (!(eigen.values[1] > kLeastSpread * eigen.values[2])) return std::nullopt;
+  const Eigen::Vector3d normal(eigen.vectors[0].data());
   return Plane{normal.cast<float>(), static_cast<float>(normal.dot(mean + first_.cast<double>()))};
 }
 

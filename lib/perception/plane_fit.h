@@ -25,8 +25,8 @@ struct Plane {
 
 /// Orthogonal distance regression: the plane that minimises Σ (n · p_i − d)², |n| = 1. It goes
 /// through the points' mean, and n is the eigenvector of the least eigenvalue of their covariance,
-/// here by the closed form for 3 × 3 matrices in double precision. Sums are kept about the first
-/// point, so that clouds far from the origin lose nothing. No allocation.
+/// in double precision. Sums are kept about the first point, so that clouds far from the origin
+/// lose nothing. No allocation.
 /// Source: dissertation section 3.2.2; C. Shakarji, "Least-squares fitting algorithms of the NIST
 /// algorithm testing system", 1998, section 3.
 class PlaneFit {

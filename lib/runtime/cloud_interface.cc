@@ -10,41 +10,16 @@
 #include <span>
 #include <variant>
 
-#include "lib/features/object_cloud.h"
+#include "lib/runtime/cloud_view.h"
 #include "lib/runtime/handcraft_runtime.h"
 #include "lib/runtime/model_handle.h"
 #include "lib/runtime/object_class_model.h"
 
 namespace {
 
+using handcraft::runtime::IsCloud;
 using handcraft::runtime::ObjectClassModel;
 using handcraft::runtime::SvmModel;
-
-// So that offsets in floats never overflow.
-constexpr std::int32_t kMaxSide = 1 << 20;
-constexpr std::int64_t kMaxStride = std::int64_t{1} << 40;
-
-bool IsBetween(std::int64_t value, std::int64_t low, std::int64_t high) noexcept {
-  return value >= low && value <= high;
-}
-
-bool IsCloud(const hc_cloud& cloud) noexcept {
-  return cloud.points != nullptr && IsBetween(cloud.width, 1, kMaxSide) &&
-         IsBetween(cloud.height, 1, kMaxSide) &&
-         IsBetween(cloud.point_stride, 3, kMaxStride / kMaxSide) &&
-         IsBetween(cloud.row_stride, cloud.point_stride * (cloud.width - 1) + 3, kMaxStride) &&
-         (cloud.mask == nullptr || IsBetween(cloud.mask_stride, cloud.width, kMaxStride));
-}
-
-handcraft::features::ObjectCloud ViewOf(const hc_cloud& cloud) noexcept {
-  return {.points = cloud.points,
-          .width = cloud.width,
-          .height = cloud.height,
-          .row_stride = cloud.row_stride,
-          .point_stride = cloud.point_stride,
-          .mask = cloud.mask,
-          .mask_stride = cloud.mask_stride};
-}
 
 }  // namespace
 
@@ -65,7 +40,8 @@ hc_status hc_classify_cloud(const hc_model* model,
   if (classes == nullptr) return HC_ERROR_KIND;
   const std::span<std::byte> scratch = workspace->buffer.Bytes();
   if (!IsCloud(*cloud) || classes->WorkspaceBytes() > scratch.size()) return HC_ERROR_ARGUMENT;
-  const std::optional<SvmModel::Prediction> found = classes->Predict(ViewOf(*cloud), scratch);
+  const std::optional<SvmModel::Prediction> found =
+      classes->Predict(handcraft::runtime::ViewOf(*cloud), scratch);
   if (!found) return HC_ERROR_CLOUD;
   *prediction = {.number = static_cast<int32_t>(found->vote.winner),
                  .rejected = found->is_rejected ? 1 : 0,

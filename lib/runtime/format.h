@@ -48,6 +48,7 @@ inline constexpr std::string_view kGraspPointKind = "grasp_point";
 inline constexpr std::string_view kLogisticKind = "logistic";
 inline constexpr std::string_view kSvmKind = "svm";
 inline constexpr std::string_view kObjectClassKind = "object_class";
+inline constexpr std::string_view kGraspLibraryKind = "grasp_library";
 inline constexpr std::string_view kKindVersion = "1";
 
 /// § 2.2 Tensors with this prefix are carried along and never looked at.

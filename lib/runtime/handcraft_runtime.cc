@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "lib/runtime/aligned_buffer.h"
+#include "lib/runtime/grasp_library_model.h"
 #include "lib/runtime/grasp_point_model.h"
 #include "lib/runtime/logistic_model.h"
 #include "lib/runtime/model_file.h"
@@ -29,6 +30,7 @@ namespace {
 
 using handcraft::features::PixelScorer;
 using handcraft::runtime::AlignedBuffer;
+using handcraft::runtime::GraspLibraryModel;
 using handcraft::runtime::kNoOffset;
 using handcraft::runtime::LogisticModel;
 using handcraft::runtime::MakeError;
@@ -58,12 +60,13 @@ Result<ModelPointer> Wrap(Result<Predictor> predictor, ParsedModel& parsed) {
 Result<ModelPointer> BuildModel(ParsedModel& parsed) {
   const std::string kind = ValueOf(parsed, format::kKindKey);
   if (kind != format::kGraspPointKind && kind != format::kLogisticKind &&
-      kind != format::kSvmKind && kind != format::kObjectClassKind) {
+      kind != format::kSvmKind && kind != format::kObjectClassKind &&
+      kind != format::kGraspLibraryKind) {
     return MakeError(
         HC_ERROR_KIND,
         format::kLengthBytes,
-        "the model is of kind '%s' and Handcraft %s reads grasp_point, logistic, svm and "
-        "object_class; install a newer Handcraft runtime or give another model",
+        "the model is of kind '%s' and Handcraft %s reads grasp_point, grasp_library, logistic, "
+        "object_class and svm; install a newer Handcraft runtime or give another model",
         Printable(kind).c_str(),
         hc_version());
   }
@@ -80,6 +83,9 @@ Result<ModelPointer> BuildModel(ParsedModel& parsed) {
   }
   if (kind == format::kGraspPointKind) {
     return Wrap(handcraft::runtime::LoadGraspPointScorer(parsed), parsed);
+  }
+  if (kind == format::kGraspLibraryKind) {
+    return Wrap(handcraft::runtime::LoadGraspLibrary(parsed), parsed);
   }
   if (kind == format::kSvmKind) return Wrap(handcraft::runtime::LoadSvmModel(parsed), parsed);
   if (kind == format::kObjectClassKind) {
@@ -186,8 +192,11 @@ void hc_model_free(hc_model* model) { delete model; }
 hc_kind hc_model_kind(const hc_model* model) {
   if (model == nullptr) return static_cast<hc_kind>(0);
   // In the order of the variant's alternatives.
-  constexpr hc_kind kKinds[] = {
-      HC_KIND_GRASP_POINT, HC_KIND_LOGISTIC, HC_KIND_SVM, HC_KIND_OBJECT_CLASS};
+  constexpr hc_kind kKinds[] = {HC_KIND_GRASP_POINT,
+                                HC_KIND_LOGISTIC,
+                                HC_KIND_SVM,
+                                HC_KIND_OBJECT_CLASS,
+                                HC_KIND_GRASP_LIBRARY};
   static_assert(std::size(kKinds) == std::variant_size_v<decltype(model->predictor)>);
   return kKinds[model->predictor.index()];
 }
@@ -206,7 +215,8 @@ size_t hc_model_num_features(const hc_model* model) {
     return static_cast<size_t>(scorer->spec().NumFeatures());
   }
   if (const auto* svm = model->Svm()) return svm->NumFeatures();
-  return std::get_if<LogisticModel>(&model->predictor)->weights.size();
+  const auto* logistic = std::get_if<LogisticModel>(&model->predictor);
+  return logistic == nullptr ? 0 : logistic->weights.size();
 }
 
 int hc_model_needs_colour(const hc_model* model) {
@@ -223,9 +233,14 @@ hc_status hc_workspace_create(const hc_model* model,
   *workspace = nullptr;
   if (!IsSide(max_width) || !IsSide(max_height)) return HC_ERROR_ARGUMENT;
   const auto* scorer = std::get_if<PixelScorer>(&model->predictor);
-  if (scorer == nullptr) return HC_ERROR_KIND;
+  if (scorer == nullptr && !std::holds_alternative<GraspLibraryModel>(model->predictor)) {
+    return HC_ERROR_KIND;
+  }
   try {
-    AlignedBuffer buffer(scorer->WorkspaceBytes(max_width, max_height));
+    AlignedBuffer buffer(scorer != nullptr
+                             ? scorer->WorkspaceBytes(max_width, max_height)
+                             : sizeof(float) *
+                                   handcraft::features::ObjectPlaneScratch(max_width, max_height));
     *workspace = new hc_workspace{std::move(buffer), max_width, max_height};
   } catch (const std::bad_alloc&) {
     return HC_ERROR_MEMORY;
@@ -351,7 +366,7 @@ const char* hc_status_message(hc_status status) {
     case HC_ERROR_IMAGE:
       return "The image is empty, larger than the workspace, or gray where colour is needed.";
     case HC_ERROR_CLOUD:
-      return "Fewer than three points of the object were measured.";
+      return "The object's cloud has too few points, or no plane that fits it best; look again.";
   }
   return "Unknown status.";
 }

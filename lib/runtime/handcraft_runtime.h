@@ -37,7 +37,8 @@ typedef enum hc_status {
   HC_ERROR_CONTENT = 9,    /**< A tensor is missing, has another shape, or a bad value. */
   HC_ERROR_SELF_TEST = 10, /**< The stored self-test does not give the stored answer here. */
   HC_ERROR_IMAGE = 11,     /**< The image cannot be scored (needs colour, empty, too large). */
-  HC_ERROR_CLOUD = 12,     /**< Fewer than three points of the object were measured. */
+  HC_ERROR_CLOUD = 12,     /**< Fewer than three points of the object were measured, or (grasp
+                              library) no plane fits them best or the mask has no halves. */
 } hc_status;
 
 /** Where and why loading failed; text is always terminated. */
@@ -62,10 +63,11 @@ HC_API void hc_model_free(hc_model* model);
 
 /** What a model is for. */
 typedef enum hc_kind {
-  HC_KIND_GRASP_POINT = 1,  /**< Pixel scores of an image: hc_score_image. */
-  HC_KIND_LOGISTIC = 2,     /**< Probability of a row of numbers: hc_predict_row. */
-  HC_KIND_SVM = 3,          /**< Class of a row of numbers: hc_classify_row. */
-  HC_KIND_OBJECT_CLASS = 4, /**< Class of an object's point cloud: hc_classify_cloud. */
+  HC_KIND_GRASP_POINT = 1,   /**< Pixel scores of an image: hc_score_image. */
+  HC_KIND_LOGISTIC = 2,      /**< Probability of a row of numbers: hc_predict_row. */
+  HC_KIND_SVM = 3,           /**< Class of a row of numbers: hc_classify_row. */
+  HC_KIND_OBJECT_CLASS = 4,  /**< Class of an object's point cloud: hc_classify_cloud. */
+  HC_KIND_GRASP_LIBRARY = 5, /**< How to hold an object: hc_find_grasp. */
 } hc_kind;
 
 /** What the model is for; 0 for null, as with the numbers below. */
@@ -73,7 +75,7 @@ HC_API hc_kind hc_model_kind(const hc_model* model);
 /** Value of a metadata key ("hc.name", …) or null; lives as long as the model. */
 HC_API const char* hc_model_metadata(const hc_model* model, const char* key);
 /** Numbers in a feature vector (grasp point), in a row (logistic, svm) or of
-    a cloud (object_class). */
+    a cloud (object_class); 0 for a grasp library. */
 HC_API size_t hc_model_num_features(const hc_model* model);
 /** Whether a gray image is refused. */
 HC_API int hc_model_needs_colour(const hc_model* model);
@@ -89,7 +91,8 @@ typedef struct hc_image {
   hc_pixel_format format;
 } hc_image;
 
-/** Scratch memory for images up to max_width x max_height [px] (grasp-point models). */
+/** Scratch memory for images or clouds up to max_width x max_height [px] (grasp points, grasp
+ * libraries). */
 HC_API hc_status hc_workspace_create(const hc_model* model,
                                      int32_t max_width,
                                      int32_t max_height,
@@ -164,7 +167,7 @@ HC_API hc_status hc_predict_row(const hc_model* model,
                                 size_t size,
                                 double* probability);
 
-/** Classes a model tells apart (svm and object_class models); 0 for the other kinds. */
+/** Classes a model tells apart (svm, object_class) or knows (grasp library); 0 for other kinds. */
 HC_API size_t hc_model_num_classes(const hc_model* model);
 /** Name of a class, or null when there is none of this number; lives as long as the model. */
 HC_API const char* hc_model_class_name(const hc_model* model, size_t number);
@@ -219,6 +222,35 @@ HC_API hc_status hc_classify_cloud(const hc_model* model,
                                    const hc_cloud* cloud,
                                    hc_class_prediction* prediction,
                                    double* decision_values);
+
+typedef struct hc_grasp_request {
+  int32_t class_number;   /**< as hc_model_class_name counts */
+  int32_t num_neighbours; /**< demonstrations to average, 1 to 32; the dissertation's is 1 */
+  double point_m[3];      /**< p_g: where to grasp, in the frame of the demonstrations */
+} hc_grasp_request;
+
+typedef struct hc_grasp {
+  double position_m[3];      /**< of the hand when it was shown, brought to this object */
+  double quaternion_xyzw[4]; /**< R_g: of the hand; real part last, not negative */
+  double object_angle_rad;   /**< about z, as in the most similar view that is known */
+  double turn_rad;           /**< from there to where grasps were shown, in [-pi, pi] */
+  double distance_m;         /**< from the point to the nearest demonstration */
+  int32_t view;              /**< which view of the class is the most similar one */
+  int32_t demonstration;     /**< which demonstration is the nearest, as its file counts from 0 */
+  int32_t rejected;          /**< 1: farther than the model allows; the pose means little */
+} hc_grasp;
+
+/**
+ * How to hold an object of a known class at a point: its rotation about z by best-fit plane and
+ * moments, then the nearest demonstrations (docs/methods/grasp_library.md). Does not allocate.
+ * HC_ERROR_KIND, HC_ERROR_ARGUMENT (also for an unknown class, a point that is not finite and a
+ * cloud larger than the workspace), HC_ERROR_CLOUD.
+ */
+HC_API hc_status hc_find_grasp(const hc_model* model,
+                               hc_workspace* workspace,
+                               const hc_cloud* cloud,
+                               const hc_grasp_request* request,
+                               hc_grasp* grasp);
 
 /** One sentence for a status; never null. */
 HC_API const char* hc_status_message(hc_status status);

@@ -11,6 +11,7 @@
 
 #include "lib/features/pixel_scorer.h"
 #include "lib/runtime/aligned_buffer.h"
+#include "lib/runtime/grasp_library_model.h"
 #include "lib/runtime/handcraft_runtime.h"
 #include "lib/runtime/logistic_model.h"
 #include "lib/runtime/object_class_model.h"
@@ -21,7 +22,8 @@ struct hc_model {
   std::variant<handcraft::features::PixelScorer,
                handcraft::runtime::LogisticModel,
                handcraft::runtime::SvmModel,
-               handcraft::runtime::ObjectClassModel>
+               handcraft::runtime::ObjectClassModel,
+               handcraft::runtime::GraspLibraryModel>
       predictor;
   std::vector<std::pair<std::string, std::string>> metadata;  ///< by key
 

@@ -7,10 +7,13 @@
 #include <cmath>
 #include <cstddef>
 #include <new>
+#include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "lib/runtime/aligned_buffer.h"
+#include "lib/runtime/grasp_library_model.h"
 #include "lib/runtime/handcraft_runtime.h"
 #include "lib/runtime/logistic_model.h"
 #include "lib/runtime/model_handle.h"
@@ -20,12 +23,21 @@
 namespace {
 
 using handcraft::runtime::AlignedBuffer;
+using handcraft::runtime::GraspLibraryModel;
 using handcraft::runtime::LogisticModel;
 using handcraft::runtime::ObjectClassModel;
 using handcraft::runtime::SvmModel;
 
 bool AreFinite(const double* row, size_t size) noexcept {
   return std::all_of(row, row + size, [](double x) { return std::isfinite(x); });
+}
+
+// Null for a kind without classes.
+const std::vector<std::string>* ClassNamesOf(const hc_model* model) noexcept {
+  if (model == nullptr) return nullptr;
+  if (const SvmModel* svm = model->Svm()) return &svm->ClassNames();
+  const auto* library = std::get_if<GraspLibraryModel>(&model->predictor);
+  return library == nullptr ? nullptr : &library->class_names;
 }
 
 }  // namespace
@@ -43,13 +55,13 @@ hc_status hc_predict_row(const hc_model* model,
 }
 
 size_t hc_model_num_classes(const hc_model* model) {
-  const SvmModel* svm = model == nullptr ? nullptr : model->Svm();
-  return svm == nullptr ? 0 : svm->ClassNames().size();
+  const std::vector<std::string>* names = ClassNamesOf(model);
+  return names == nullptr ? 0 : names->size();
 }
 
 const char* hc_model_class_name(const hc_model* model, size_t number) {
   if (number >= hc_model_num_classes(model)) return nullptr;
-  return model->Svm()->ClassNames()[number].c_str();
+  return (*ClassNamesOf(model))[number].c_str();
 }
 
 hc_status hc_row_workspace_create(const hc_model* model, hc_workspace** workspace) {

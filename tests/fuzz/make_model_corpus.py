@@ -161,12 +161,29 @@ def svm_files():
     yield "svm_vector_overflows", svm_with("support_vectors", 0, 3e38)
 
 
+def library_files():
+    """Grasp libraries that break § 11."""
+    golden = (MODELS / "v1_grasp_library.safetensors").read_bytes()
+
+    def with_begins(old, new):
+        assert golden.count(struct.pack(f"<{len(old)}i", *old)) >= 1, old
+        return sealed(golden.replace(struct.pack(f"<{len(old)}i", *old),
+                                     struct.pack(f"<{len(new)}i", *new), 1)[:-8])
+
+    yield "library_without_poses_at_an_angle", with_begins((0, 20, 40), (0, 40, 40))
+    yield "library_begins_that_fall", with_begins((0, 20, 40), (0, 60, 40))
+    yield "library_begins_beyond_the_end", with_begins((140, 160), (140, 2**31 - 1))
+    yield "library_begins_below_zero", with_begins((0, 20, 40), (-20, 20, 40))
+    yield "library_rejection_below_zero", sealed(
+        golden.replace(struct.pack("<d", 0.05), struct.pack("<d", -0.05))[:-8])
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     folder = pathlib.Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
-    files = [*container_files(), *content_files(), *svm_files()]
+    files = [*container_files(), *content_files(), *svm_files(), *library_files()]
     assert len({name for name, _ in files}) == len(files)
     for name, data in files:
         (folder / f"{name}.safetensors").write_bytes(data)

@@ -69,6 +69,29 @@ void ClassifyACloud(const hc_model* model) {
   hc_workspace_free(workspace);
 }
 
+void FindAGrasp(const hc_model* model) {
+  constexpr std::int32_t kSide = 5;
+  float points[kSide * kSide * 3];
+  std::uint8_t mask[kSide * kSide];
+  for (std::size_t i = 0; i < sizeof mask; ++i) {
+    points[3 * i] = 0.01F * static_cast<float>(i % kSide);
+    points[3 * i + 1] = 0.01F * static_cast<float>(i / kSide);
+    points[3 * i + 2] = 0.001F * static_cast<float>(i * i % 7);
+    mask[i] = 1;
+  }
+  const hc_cloud cloud{points, kSide, kSide, std::int64_t{3} * kSide, 3, mask, kSide};
+  hc_workspace* workspace = nullptr;
+  Require(hc_workspace_create(model, kSide, kSide, &workspace) == HC_OK);
+  const auto num_classes = static_cast<std::int32_t>(hc_model_num_classes(model));
+  for (std::int32_t c = 0; c < num_classes; ++c) {
+    const hc_grasp_request request{c, 32, {0.02, 0.02, 0.0}};
+    hc_grasp grasp{};
+    Require(hc_find_grasp(model, workspace, &cloud, &request, &grasp) == HC_OK);
+    for (const double part : grasp.quaternion_xyzw) Require(part >= -1.001 && part <= 1.001);
+  }
+  hc_workspace_free(workspace);
+}
+
 void Use(const hc_model* model) {
   switch (hc_model_kind(model)) {
     case HC_KIND_GRASP_POINT:
@@ -79,6 +102,8 @@ void Use(const hc_model* model) {
       return ClassifyARow(model);
     case HC_KIND_OBJECT_CLASS:
       return ClassifyACloud(model);
+    case HC_KIND_GRASP_LIBRARY:
+      return FindAGrasp(model);
     default:
       return;
   }

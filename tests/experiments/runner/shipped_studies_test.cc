@@ -11,6 +11,7 @@
 
 #include "experiments/runner/grid.h"
 #include "experiments/runner/study_file.h"
+#include "experiments/view_studies/view_study.h"
 #include "lib/core/file.h"
 
 namespace handcraft::experiments {
@@ -38,6 +39,13 @@ TEST(ShippedStudies, ParseInBothSizes) {
   for (const ShippedStudy& shipped : ShippedStudies()) {
     const std::string name(shipped.name);
     for (const StudySize size : {StudySize::kSmall, StudySize::kFull}) {
+      if (IsViewStudy(shipped.text, name)) {
+        const ViewStudy study = ParseViewStudy(shipped.text, name, size);
+        EXPECT_EQ(study.name, name);
+        EXPECT_GE(MakeViewCells(study).size(), 2U) << name;
+        EXPECT_FALSE(study.question.empty()) << name;
+        continue;
+      }
       const Study study = ParseStudy(shipped.text, name, size);
       EXPECT_EQ(study.name, name);
       EXPECT_GE(MakeCells(study).size(), 2U) << name;

@@ -22,7 +22,7 @@ TEST(AnswerTable, TintsByShareOfTheRow) {
   EXPECT_THAT(text,
               AllOf(HasSubstr("rgba(20, 140, 130, 0.46)\">3</td>"),  // 0.08 + 0.5 · 3/4
                     HasSubstr("title=\"25.0 %\""),
-                    HasSubstr("rgba(205, 95, 40, 0.20)\">1</td>"),
+                    HasSubstr("rgba(205, 95, 40, 0.21)\">1</td>"),
                     HasSubstr("a&lt;b"),
                     HasSubstr("<td class=\"number\"></td>"),
                     Not(HasSubstr(">0</td>"))));

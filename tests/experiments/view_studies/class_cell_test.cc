@@ -36,6 +36,13 @@ ViewCell CellOf(std::initializer_list<Setting> list) {
   return cell;
 }
 
+// A study in which one class is right for drills.
+ViewStudy Accepting(const std::string& name) {
+  ViewStudy study;
+  study.associations["drill"] = {name};
+  return study;
+}
+
 TEST(TellClasses, LeavesEachViewOut) {
   DescribedViews described;
   const ViewCellResult result =
@@ -56,7 +63,7 @@ TEST(TellClasses, LeavesEachViewOut) {
 // What was learnt is known again, whatever each class is called right for.
 TEST(TellClasses, ClassifiesOtherViewsByTheRuntime) {
   DescribedViews described;
-  const ViewCellResult result = TellClasses({.associations = {{"drill", {"coffee_can"}}}},
+  const ViewCellResult result = TellClasses(Accepting("coffee_can"),
                                             CellOf({{"C", "100"}}),
                                             SmallTurntable(),
                                             &SmallTurntable(),
@@ -82,15 +89,11 @@ TEST(TellClasses, CanBeAskedForFewerClasses) {
 
 TEST(TellClasses, RefusesAnAssociationWithNoClass) {
   DescribedViews described;
-  EXPECT_THROWS_MESSAGE(static_cast<void>(TellClasses({.associations = {{"drill", {"saw"}}}},
-                                                      CellOf({}),
-                                                      SmallTurntable(),
-                                                      &SmallTurntable(),
-                                                      described,
-                                                      1,
-                                                      {})),
-                        Error,
-                        HasSubstr("the class \"saw\" is none of those"));
+  EXPECT_THROWS_MESSAGE(
+      static_cast<void>(TellClasses(
+          Accepting("saw"), CellOf({}), SmallTurntable(), &SmallTurntable(), described, 1, {})),
+      Error,
+      HasSubstr("the class \"saw\" is none of those"));
 }
 
 }  // namespace

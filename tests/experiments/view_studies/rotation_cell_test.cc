@@ -43,23 +43,23 @@ TEST(IsRightRotation, KnowsHalfTurns) {
 
 TEST(FindRotations, LeavesRoundObjectsOutAndGroupsBySymmetry) {
   const TemporaryDirectory folder;
-  MakeSmallViews(folder / "set", 12);
+  MakeSmallViews(folder / "set", 6);
   const ViewData data = ProvideViews({.folder = (folder / "set").string()}, folder / "made", 1, {});
   const ViewCell cell{.id = "all", .method = "all", .factors = {}, .settings = {}};
   const ViewCellResult result = FindRotations(cell, data, nullptr, 2);
   EXPECT_THAT(result.answers.rows, ElementsAre("spray_bottle", "coffee_can", "drill"));
   for (const auto& row : result.answers.counts) {
-    EXPECT_EQ(std::accumulate(row.begin(), row.end(), std::size_t{0}), 12U);
+    EXPECT_EQ(std::accumulate(row.begin(), row.end(), std::size_t{0}), 6U);
     EXPECT_EQ(row[0], 0U) << "no other view has the same angle";
   }
   ASSERT_EQ(result.groups.size(), 5U);
   EXPECT_EQ(result.groups[3].name, "half_turn");
   EXPECT_EQ(result.groups[4].name, "none");
-  EXPECT_EQ(result.groups[4].num_views, 24U);
+  EXPECT_EQ(result.groups[4].num_views, 12U);
   // Asked about the very views that were learnt, every object finds itself.
   const ViewCellResult same = FindRotations(cell, data, &data, 1);
-  for (const auto& row : same.answers.counts) EXPECT_EQ(row[0], 12U);
-  EXPECT_EQ(same.groups[4].num_right, 24U);
+  for (const auto& row : same.answers.counts) EXPECT_EQ(row[0], 6U);
+  EXPECT_EQ(same.groups[4].num_right, 12U);
 }
 
 TEST(FindRotations, RefusesViewsWithoutAngles) {

@@ -111,7 +111,7 @@ TEST(ViewStudy, RefusesWhatDoesNotFitWithItsLine) {
       {Minimal("made = \"taught\"\nviews = 3\nkind = \"still\""), "kind is \"still\""},
       {Minimal("made = \"taught\"\nviews = 3\nsensor = \"nose\""), "sensor is \"nose\""},
       {Minimal("folder = \"f\"", "[settings]\nkernel = \"cubic\""), "kernel is \"cubic\""},
-      {Minimal("folder = \"f\"", "[claim]\nall = 101"), "101"},
+      {Minimal("folder = \"f\"", "[claim]\nall = 101"), "all must be a number from 0 to 100"},
       {Minimal("folder = \"f\"", "[association]\nbox = [1]"), "box holds something else"},
   };
   for (const auto& [text, message] : cases) {

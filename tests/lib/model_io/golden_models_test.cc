@@ -92,6 +92,29 @@ TEST(GoldenModels, OfFormat1ClassifyCloudsAsTheyDid) {
   hc_model_free(model);
 }
 
+TEST(GoldenModels, OfFormat1FindGraspsAsTheyDid) {
+  hc_model* model = Load("v1_grasp_library.safetensors");
+  hc_workspace* workspace = nullptr;
+  ASSERT_EQ(hc_workspace_create(model, 4, 3, &workspace), HC_OK);
+  std::vector<float> points;
+  for (int i = 0; i < 12; ++i) {
+    points.push_back(0.01F * static_cast<float>(i % 4));
+    points.push_back(0.02F * static_cast<float>(i % 4));
+    points.push_back(0.01F * static_cast<float>(i / 4));
+  }
+  const std::vector<std::uint8_t> mask(12, 1);
+  const hc_cloud cloud{points.data(), 4, 3, 12, 3, mask.data(), 4};
+  const hc_grasp_request request{1, 1, {0.02, 0.03, 0.01}};
+  hc_grasp grasp{};
+  ASSERT_EQ(hc_find_grasp(model, workspace, &cloud, &request, &grasp), HC_OK);
+  EXPECT_EQ(std::string(hc_model_class_name(model, 1)), "drill");
+  EXPECT_EQ(grasp.view, 10);
+  EXPECT_EQ(grasp.demonstration, 151);
+  EXPECT_NEAR(grasp.distance_m, 0.062667850807063205, 1e-9);
+  hc_workspace_free(workspace);
+  hc_model_free(model);
+}
+
 // Reading and writing again changes no byte: one model has one encoding.
 TEST(GoldenModels, AreWrittenAgainAsTheyAre) {
   int num_files = 0;

@@ -24,6 +24,8 @@ int main(int argc, char** argv) {
       WriteFileAtomically(folder / ("v1_grasp_point_" + std::string(spec) + ".safetensors"),
                           handcraft::model_io::Serialise(testing::SomeGraspPointModel(spec)));
     }
+    WriteFileAtomically(folder / "v1_grasp_library.safetensors",
+                        handcraft::model_io::Serialise(testing::SomeGraspLibraryModel()));
     WriteFileAtomically(folder / "v1_logistic.safetensors",
                         handcraft::model_io::Serialise(testing::SomeLogisticModel()));
     WriteFileAtomically(folder / "v1_svm.safetensors",

@@ -66,6 +66,7 @@ void ExpectMemoryErrorsUntilItLoads(const model_io::ModelFile& file) {
 TEST(OutOfMemory, IsAnErrorValueWhileLoading) {
   ExpectMemoryErrorsUntilItLoads(testing::SomeLogisticModel());
   ExpectMemoryErrorsUntilItLoads(testing::SomeSvmModel());
+  ExpectMemoryErrorsUntilItLoads(testing::SomeGraspLibraryModel());
   ExpectMemoryErrorsUntilItLoads(testing::SomeGraspPointModel("edges54"));
   ExpectMemoryErrorsUntilItLoads(testing::SomeGraspPointModel("saxena459"));
 }

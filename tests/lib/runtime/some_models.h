@@ -13,9 +13,11 @@
 #include "lib/core/image.h"
 #include "lib/core/rng.h"
 #include "lib/features/pixel_features.h"
+#include "lib/model_io/grasp_library_models.h"
 #include "lib/model_io/linear_models.h"
 #include "lib/model_io/object_class_models.h"
 #include "lib/model_io/svm_models.h"
+#include "tests/lib/features/some_grasp_library.h"
 #include "tests/lib/features/some_object.h"
 
 namespace handcraft::testing {
@@ -142,6 +144,15 @@ inline model_io::ModelFile SomeObjectClassModel(
   model_io::Provenance provenance;
   provenance.name = "some_clouds";
   return model_io::MakeObjectClassModel(model, SomeObject(12, 10).View(), provenance);
+}
+
+inline model_io::ModelFile SomeGraspLibraryModel() {
+  model_io::Provenance provenance;
+  provenance.name = "some_grasps";
+  return model_io::MakeGraspLibraryModel(
+      features::testing::SomeGraspLibrary(),
+      {.classes = {"mug", "drill"}, .robot = "some_robot", .joints = {"j1", "j2"}},
+      provenance);
 }
 
 }  // namespace handcraft::testing

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+
+#include "datasets/formats/demonstration_set.h"
+#include "datasets/formats/view_set.h"
+#include "lib/core/progress.h"
+#include "trainers/grasp_library/grasp_library.h"
+
+namespace handcraft::tools {
+
+/// What a grasp library is trained on.
+struct GraspLibraryInput {
+  datasets::ViewSet views;                    ///< layer 2
+  datasets::ViewSet shown_views;              ///< those that the poses were shown in
+  datasets::DemonstrationSet demonstrations;  ///< layer 3
+};
+
+/// Reads a view set, and a demonstration set with its own views. Throws Error as their readers do,
+/// and for a view without an angle and a demonstration of a class that the view set does not have.
+[[nodiscard]] GraspLibraryInput ReadGraspLibraryInput(const std::string& views,
+                                                      const std::string& demonstrations);
+
+/// Describes both sets of views; classes in the order in which the view set names them, positions
+/// from the mean of the cloud they were shown with. The number of threads changes nothing.
+[[nodiscard]] grasp_library::TrainingSet DescribeInput(const GraspLibraryInput& input,
+                                                       int num_threads,
+                                                       const Progress& progress);
+
+}  // namespace handcraft::tools
