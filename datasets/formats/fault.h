@@ -27,6 +27,7 @@ struct Fault {
   std::string reason;                              ///< what was found, and what was expected
   std::optional<std::size_t> line = std::nullopt;  ///< of a list, 1-based; none: of the whole file
   Gravity gravity = Gravity::kFault;
+  std::string remedy = {};  ///< what to do about it; may be empty
 };
 
 /// An error as the fault it names, its path relative to the set's folder.

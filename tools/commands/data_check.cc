@@ -33,6 +33,7 @@ nlohmann::ordered_json ToJson(const std::vector<datasets::Fault>& findings) {
     entry["path"] = finding.path;
     if (finding.line) entry["line"] = *finding.line;
     entry["reason"] = finding.reason;
+    if (!finding.remedy.empty()) entry["remedy"] = finding.remedy;
   }
   return list;
 }
@@ -54,7 +55,9 @@ void PrintFindings(const Console& console,
   for (const datasets::Fault& finding : findings) {
     console.out << finding.path;
     if (finding.line) console.out << ':' << *finding.line;
-    console.out << ": " << kind << finding.reason << '\n';
+    console.out << ": " << kind << finding.reason;
+    if (!finding.remedy.empty()) console.out << " (" << finding.remedy << ')';
+    console.out << '\n';
   }
 }
 

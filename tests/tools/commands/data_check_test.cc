@@ -37,6 +37,7 @@ TEST_F(DataCheck, NamesEachFault) {
   EXPECT_THAT(outcome.out,
               AllOf(HasSubstr("p0.png: "), HasSubstr("p1.png: "), HasSubstr("p2_mask.png: ")));
   EXPECT_THAT(outcome.err, HasSubstr("3 faults in 6 images"));
+  EXPECT_THAT(outcome.out, HasSubstr("PPM is due (convert it, for example to PNG)\n"));
 }
 
 TEST_F(DataCheck, NotesWhatIsLegal) {
