@@ -20,6 +20,12 @@ bool Has(const Image& mask, std::uint8_t value) {
   return std::find(values.begin(), values.end(), value) != values.end();
 }
 
+void AddNote(const std::string& mask, const std::string& lack, std::vector<Fault>& faults) {
+  faults.push_back({.path = mask,
+                    .reason = lack + ": training draws nothing from the picture",
+                    .gravity = Gravity::kNote});
+}
+
 PictureFindings Examine(const LabelledImageSet& set, std::size_t index) {
   PictureFindings findings;
   std::vector<Fault>& faults = findings.faults;
@@ -27,10 +33,8 @@ PictureFindings Examine(const LabelledImageSet& set, std::size_t index) {
   LabelledPicture picture;
   CollectFaults(set.root, faults, [&] {
     picture = ReadLabelledPicture(set, index);
-    if (!Has(picture.mask, kMaskGood))
-      faults.push_back({item.mask, "no good pixel (255): the picture is left out"});
-    if (!Has(picture.mask, kMaskBad))
-      faults.push_back({item.mask, "no bad pixel (0): the picture is left out"});
+    if (!Has(picture.mask, kMaskGood)) AddNote(item.mask, "no good pixel (255)", faults);
+    if (!Has(picture.mask, kMaskBad)) AddNote(item.mask, "no bad pixel (0)", faults);
     findings.image_digest = FileDigest(set.root / item.image);
   });
   for (const std::string_view column : kCompanions) {

@@ -13,9 +13,9 @@ namespace handcraft::datasets {
 
 /// What `handcraft data check` prints: opens every file of a labelled image set and names each
 /// fault, in the order of the manifest; nothing when all is well. Pictures that cannot be read;
-/// masks that do not fit, hold other values or lack good or bad pixels (legal, but nothing is drawn
-/// from them); pictures that are there twice; companions that are missing or do not fit the
-/// picture. Same set, same faults for any number of threads.
+/// masks that do not fit or hold other values; pictures that are there twice; companions that are
+/// missing or do not fit the picture. A mask without good or without bad pixels is a note. Same
+/// set, same faults for any number of threads.
 [[nodiscard]] std::vector<Fault> FindFaults(const LabelledImageSet& set,
                                             int num_threads = 1,
                                             const Progress& progress = {});

@@ -3,6 +3,7 @@
 
 #include "datasets/stored_set.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -69,6 +70,12 @@ CheckedSet CheckSet(const StoredSet& set, int num_threads, const Progress& progr
     checked.num_demonstrations = AddRowFaults(CheckDemonstrations(set.root()), checked.faults);
   }
   if (set.has_holds) checked.num_holds = AddRowFaults(CheckHolds(set.root()), checked.faults);
+  const auto first_note =
+      std::stable_partition(checked.faults.begin(), checked.faults.end(), [](const Fault& fault) {
+        return fault.gravity == Gravity::kFault;
+      });
+  checked.notes.assign(first_note, checked.faults.end());
+  checked.faults.erase(first_note, checked.faults.end());
   return checked;
 }
 

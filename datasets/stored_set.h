@@ -39,6 +39,7 @@ struct CheckedSet {
   std::optional<std::size_t> num_demonstrations;  ///< none: there is no such file
   std::optional<std::size_t> num_holds;           ///< none: there is no such file
   std::vector<Fault> faults;                      ///< of pictures, then demonstrations, then holds
+  std::vector<Fault> notes;                       ///< legal, and worth knowing
 };
 
 /// Opens every file of the set and names each fault, with the line where it stands in a list.

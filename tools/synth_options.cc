@@ -5,6 +5,8 @@
 
 #include <array>
 
+#include <fmt/format.h>
+
 #include "datasets/synthetic/camera_file.h"
 
 namespace handcraft::tools {
@@ -66,6 +68,23 @@ void ApplyCameraFile(const std::string& path, synthetic::PinholeCamera& camera, 
   const synthetic::CameraFile file = synthetic::ReadCameraFile(path);
   camera = file.camera;
   baseline_m = file.baseline_m.value_or(baseline_m);
+}
+
+std::string TellWritten(const synthetic::Written& written,
+                        std::size_t num_pictures,
+                        const std::string& contents,
+                        const std::string& folder) {
+  if (written.IsNothing()) {
+    return fmt::format("Nothing to write: {} is complete, {}\n", folder, contents);
+  }
+  if (written.num_pictures == num_pictures) {
+    return fmt::format("Wrote {} to {}\n", contents, folder);
+  }
+  return fmt::format("Completed {}, {}: {} of the {} pictures were there\n",
+                     folder,
+                     contents,
+                     num_pictures - written.num_pictures,
+                     num_pictures);
 }
 
 }  // namespace handcraft::tools

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,7 @@
 
 #include "datasets/synthetic/camera.h"
 #include "datasets/synthetic/measured_view.h"
+#include "datasets/synthetic/set_folder.h"
 
 /// Options that mean the same for every kind of made-up set.
 namespace handcraft::tools {
@@ -32,5 +34,12 @@ void AddCameraFile(CLI::App& command, std::string& path);
 /// Takes intrinsics and baseline over from that file; leaves a baseline that it does not name, and
 /// everything when the path is empty. Throws Error as synthetic::ReadCameraFile does.
 void ApplyCameraFile(const std::string& path, synthetic::PinholeCamera& camera, float& baseline_m);
+
+/// What a command says at its end of the set in `folder`, which has so many pictures and `contents`
+/// in all ("480 poses"): whether all of it was written, a part, or nothing.
+[[nodiscard]] std::string TellWritten(const synthetic::Written& written,
+                                      std::size_t num_pictures,
+                                      const std::string& contents,
+                                      const std::string& folder);
 
 }  // namespace handcraft::tools

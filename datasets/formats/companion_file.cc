@@ -7,9 +7,9 @@
 
 #include "datasets/formats/labelled_image_set.h"
 #include "datasets/formats/organised_cloud.h"
+#include "datasets/formats/scene_file.h"
 #include "lib/core/check.h"
 #include "lib/perception/image_io.h"
-#include "lib/structured_text/toml_file.h"
 
 namespace handcraft::datasets {
 namespace {
@@ -28,7 +28,7 @@ void CheckCompanion(std::string_view column,
                     const std::filesystem::path& path,
                     const PixelSize& picture_size) {
   if (column == kScene) {
-    static_cast<void>(ReadTomlFile(path));
+    CheckSceneFile(path);
     return;
   }
   RequireSameSize(path, "the " + std::string(column), SizeIn(column, path), picture_size);

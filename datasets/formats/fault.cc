@@ -11,7 +11,8 @@ Fault FaultOf(const Error& error, const std::filesystem::path& root) {
   const Error::Details& details = error.details();
   return {.path = std::filesystem::path(details.path).lexically_relative(root).string(),
           .reason = details.reason,
-          .line = details.line};
+          .line = details.line,
+          .remedy = details.remedy};
 }
 
 void CollectFaults(const std::filesystem::path& root,

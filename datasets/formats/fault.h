@@ -15,11 +15,19 @@
 
 namespace handcraft::datasets {
 
+/// Whether what was found must be mended.
+enum class Gravity {
+  kFault,
+  kNote,  ///< legal, and worth knowing
+};
+
 /// Something wrong with a data set, and the place that it is wrong at.
 struct Fault {
   std::string path;                                ///< relative to the set's folder
   std::string reason;                              ///< what was found, and what was expected
   std::optional<std::size_t> line = std::nullopt;  ///< of a list, 1-based; none: of the whole file
+  Gravity gravity = Gravity::kFault;
+  std::string remedy = {};  ///< what to do about it; may be empty
 };
 
 /// An error as the fault it names, its path relative to the set's folder.

@@ -46,6 +46,8 @@ struct LabelledImage {
 
   /// The path of a companion, empty when there is none.
   [[nodiscard]] std::string Companion(std::string_view column) const;
+
+  bool operator==(const LabelledImage&) const = default;
 };
 
 /// A folder with `manifest.csv` (header image,mask,class,instance,split,licence; any order, with

@@ -29,6 +29,8 @@ struct ObjectView {
   std::string depth = {};     ///< true depth: 16-bit PNG [mm], 0: nothing there; empty: none
   std::string scene = {};     ///< file that tells the poses; empty: none
   std::string symmetry = {};  ///< about z: "none", "half_turn" or "round"; empty: unknown
+
+  bool operator==(const ObjectView&) const = default;
 };
 
 /// Pictures and point clouds of objects one at a time: a folder with views.csv in it. The format is

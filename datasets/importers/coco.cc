@@ -4,6 +4,7 @@
 #include "datasets/importers/coco.h"
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -109,22 +110,31 @@ PixelRuns ReadRuns(const JsonValue& json, const PixelSize& picture_size) {
   return runs;
 }
 
-void AddShapes(const JsonValue& annotation, std::uint8_t value, CocoImage& image) {
+// `place` is the annotation's in the file, as messages have it.
+void AddShapes(const JsonValue& annotation,
+               const std::string& place,
+               std::uint8_t value,
+               CocoImage& image) {
   const JsonValue outline = annotation["segmentation"];
   if (!outline.IsList()) {
-    image.shapes.push_back({ReadRuns(outline, image.size), value});
+    image.shapes.push_back({ReadRuns(outline, image.size), value, place});
     return;
   }
   const std::vector<JsonValue> polygons = outline.Items();
   if (polygons.empty()) outline.Fail("an annotation without an outline", "draw it, or remove it");
-  for (const JsonValue& polygon : polygons) image.shapes.push_back({ReadPolygon(polygon), value});
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    image.shapes.push_back(
+        {ReadPolygon(polygons[i]), value, place + "/segmentation/" + std::to_string(i)});
+  }
 }
 
 void ReadAnnotations(const JsonValue& list,
                      const std::map<std::int64_t, std::string>& categories,
                      const LabelRoles& roles,
                      std::map<std::int64_t, CocoImage>& images) {
+  std::size_t index = 0;
   for (const JsonValue& json : list.Items()) {
+    const std::string place = "at /annotations/" + std::to_string(index++);
     const auto category = categories.find(ReadId(json["category_id"]));
     if (category == categories.end()) json["category_id"].Fail("no category has this id");
     const auto image = images.find(ReadId(json["image_id"]));
@@ -132,21 +142,22 @@ void ReadAnnotations(const JsonValue& list,
     const std::optional<std::uint8_t> value = roles.ValueOf(category->second);
     if (!value) continue;
     const bool is_crowd = json.Has("iscrowd") && json["iscrowd"].Integer(0, 1) == 1;
-    AddShapes(json, is_crowd ? kMaskDontCare : *value, image->second);
+    AddShapes(json, place, is_crowd ? kMaskDontCare : *value, image->second);
   }
 }
 
 SourcePicture Describe(const fs::path& file, const fs::path& folder, CocoImage image) {
   const fs::path name = FindNamedFile(folder, image.name, file);
-  return {.path = folder / name,
-          .image = name.generic_string(),
-          .mask = fs::path(name).replace_extension(".png").generic_string(),
-          .object_class = ClassOfPath(name),
-          .instance = fs::path(name).replace_extension().generic_string(),
-          .make_mask = [path = folder / name, image = std::move(image)](int width, int height) {
-            RequireSameSize(path, "the labelled picture", image.size, {width, height});
-            return DrawLabelledShapes(width, height, image.shapes);
-          }};
+  return {
+      .path = folder / name,
+      .image = name.generic_string(),
+      .mask = fs::path(name).replace_extension(".png").generic_string(),
+      .object_class = ClassOfPath(name),
+      .instance = fs::path(name).replace_extension().generic_string(),
+      .make_mask = [file, path = folder / name, image = std::move(image)](int width, int height) {
+        RequireSameSize(path, "the labelled picture", image.size, {width, height});
+        return DrawLabelledShapes(file, width, height, image.shapes);
+      }};
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "datasets/formats/npy.h"
 #include "datasets/formats/npy_pictures.h"
 #include "datasets/importers/object_mask.h"
 #include "datasets/importers/source_tree.h"
@@ -70,7 +69,7 @@ SourceSet ListCoil(const fs::path& source, const CoilOptions& options) {
   options.Validate();
   static const std::regex kPattern("(obj[0-9]+)__([0-9]{1,3})");
   const auto threshold = static_cast<std::uint8_t>(options.threshold);
-  if (fs::is_regular_file(source) && IsNpy(source)) return ListArray(source, threshold);
+  if (fs::is_regular_file(source)) return ListArray(source, threshold);
   SourceSet set;
   int last = 0;
   for (const fs::path& file : ListFiles(source, std::numeric_limits<int>::max())) {

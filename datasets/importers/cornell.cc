@@ -136,9 +136,11 @@ SourcePicture Describe(const CornellPicture& picture,
       .instance = InstanceOf(picture.number, options.instance_span),
       .number = picture.number,
       .make_mask =
-          [read, options](int width, int height) {
+          [read, picture, options](int width, int height) {
             MarkedRectangles marked = read();
             if (!options.use_negative_rectangles) marked.negative.clear();
+            RequireWithinPicture(picture.positive, marked.positive, width, height);
+            RequireWithinPicture(picture.negative, marked.negative, width, height);
             return MakeGraspMask(width, height, marked.positive, marked.negative, options.mask);
           },
       .read_rectangles = read};

@@ -183,6 +183,7 @@ SourceSet ListCvatMasks(const fs::path& source, const CvatOptions& options) {
 SourceSet ListCvat(const fs::path& source, const CvatOptions& options) {
   options.roles.Validate();
   if (source.extension() == ".xml") return ListCvatShapes(source, options);
+  RequireFolder(source);
   const bool has_shapes = fs::exists(source / "annotations.xml");
   const bool has_masks = fs::exists(source / "labelmap.txt");
   if (has_shapes == has_masks) {

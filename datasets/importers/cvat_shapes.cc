@@ -132,9 +132,9 @@ LabelledShape ReadShape(const XmlElement& shape,
                         const PixelSize& picture_size,
                         std::uint8_t value) {
   const std::string type = shape.Name();
-  if (type == "polygon") return {ReadPolygon(shape), value};
-  if (type == "box") return {ReadBox(shape), value};
-  if (type == "mask") return {ReadMask(shape, picture_size), value};
+  if (type == "polygon") return {ReadPolygon(shape), value, shape.Where()};
+  if (type == "box") return {ReadBox(shape), value, shape.Where()};
+  if (type == "mask") return {ReadMask(shape, picture_size), value, shape.Where()};
   shape.Fail("a shape of type '" + type + "'; polygon, box or mask is due",
              "draw it as one of these");
 }
@@ -167,16 +167,16 @@ SourcePicture ReadPicture(const XmlElement& image,
     if (value) shapes.push_back(ReadShape(shape, size, *value));
   }
   const fs::path name = FindPicture(image, folder, file);
-  return {
-      .path = folder / name,
-      .image = name.generic_string(),
-      .mask = fs::path(name).replace_extension(".png").generic_string(),
-      .object_class = ClassOfPath(name),
-      .instance = fs::path(name).replace_extension().generic_string(),
-      .make_mask = [path = folder / name, size, shapes = std::move(shapes)](int width, int height) {
-        RequireSameSize(path, "the labelled picture", size, {width, height});
-        return DrawLabelledShapes(width, height, shapes);
-      }};
+  return {.path = folder / name,
+          .image = name.generic_string(),
+          .mask = fs::path(name).replace_extension(".png").generic_string(),
+          .object_class = ClassOfPath(name),
+          .instance = fs::path(name).replace_extension().generic_string(),
+          .make_mask = [file, path = folder / name, size, shapes = std::move(shapes)](int width,
+                                                                                      int height) {
+            RequireSameSize(path, "the labelled picture", size, {width, height});
+            return DrawLabelledShapes(file, width, height, shapes);
+          }};
 }
 
 // The labels of the task, project or job that was exported.

@@ -103,7 +103,7 @@ std::string NamesIn(const fs::path& folder) {
   return names.size() > kMostNames ? text + ", …" : text;
 }
 
-void RequireFolder(const fs::path& source, const fs::path& folder) {
+void RequireFolderIn(const fs::path& source, const fs::path& folder) {
   std::error_code ignored;
   if (fs::is_directory(folder, ignored)) return;
   throw Error({.path = source.string(),
@@ -151,10 +151,10 @@ void FoldersOptions::Validate() const {
     }
   }
   for (const int value : dont_care) {
-    RequireOption(std::find(good.begin(), good.end(), value) == good.end(),
-                  "FoldersOptions.dont_care",
-                  value,
-                  "none of the good values");
+    if (std::find(good.begin(), good.end(), value) == good.end()) continue;
+    throw Error({.kind = Error::Kind::kUsage,
+                 .reason = "the value " + std::to_string(value) +
+                           " has two roles; it must be one of good and don't care"});
   }
 }
 
@@ -168,7 +168,8 @@ SourceSet ListFolders(const fs::path& source, const FoldersOptions& options) {
                  .reason = "pictures and masks have the same folder and the same suffix",
                  .remedy = "give another folder or suffix for one of them"});
   }
-  for (const Place* place : {&images, &masks}) RequireFolder(source, place->folder);
+  RequireFolder(source);
+  for (const Place* place : {&images, &masks}) RequireFolderIn(source, place->folder);
   const auto image_files = FindFiles(images, masks);
   const auto mask_files = FindFiles(masks, images);
   SourceSet set;

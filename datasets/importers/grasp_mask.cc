@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <string>
 
 #include "datasets/formats/labelled_image_set.h"
 #include "lib/core/check.h"
+#include "lib/core/error.h"
 #include "lib/core/option_rules.h"
 
 namespace handcraft::datasets {
@@ -98,6 +101,26 @@ std::vector<Shape> ToShapes(const std::vector<GraspRectangle>& rectangles) {
 }  // namespace
 
 double RectangleArea(const GraspRectangle& rectangle) { return Shape(rectangle).Area_px2(); }
+
+void RequireWithinPicture(const std::filesystem::path& file,
+                          const std::vector<GraspRectangle>& rectangles,
+                          int width,
+                          int height) {
+  for (std::size_t i = 0; i < rectangles.size(); ++i) {
+    const auto lies_beyond = [&](const auto& is_beyond) {
+      return std::all_of(rectangles[i].begin(), rectangles[i].end(), is_beyond);
+    };
+    const bool is_outside = lies_beyond([](const auto& at) { return at[0] < 0.0; }) ||
+                            lies_beyond([](const auto& at) { return at[1] < 0.0; }) ||
+                            lies_beyond([&](const auto& at) { return at[0] > width; }) ||
+                            lies_beyond([&](const auto& at) { return at[1] > height; });
+    if (!is_outside) continue;
+    throw Error({.path = file.string(),
+                 .reason = "rectangle " + std::to_string(i + 1) + " lies outside its picture of " +
+                           std::to_string(width) + "x" + std::to_string(height) + " pixels",
+                 .remedy = "remove it"});
+  }
+}
 
 void GraspMaskOptions::Validate() const {
   RequireOption(good_share > 0.0 && good_share <= 1.0,

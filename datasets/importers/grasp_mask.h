@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <vector>
 
 #include "lib/core/image.h"
@@ -22,6 +23,13 @@ struct MarkedRectangles {
 
 /// Its area [px²]; NaN when a corner is.
 [[nodiscard]] double RectangleArea(const GraspRectangle& rectangle);
+
+/// Throws Error naming `file` and the rectangle, counted from 1 in the order they are given, when
+/// one lies wholly outside a picture of that size and so would mark nothing.
+void RequireWithinPicture(const std::filesystem::path& file,
+                          const std::vector<GraspRectangle>& rectangles,
+                          int width,
+                          int height);
 
 /// How grasp rectangles become a label mask.
 struct GraspMaskOptions {

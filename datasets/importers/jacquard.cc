@@ -71,19 +71,26 @@ std::string ObjectOf(const std::string& scene) {
   return is_numbered ? scene.substr(at + 1) : scene;
 }
 
+fs::path LabelsOf(const fs::path& image, const std::string& scene) {
+  return image.parent_path() / (scene + std::string(kGraspsEnd));
+}
+
 SourcePicture Describe(const fs::path& image,
                        const fs::path& relative,
                        const std::string& scene,
-                       const std::vector<GraspRectangle>& grasps,
                        const GraspMaskOptions& options) {
+  const fs::path labels = LabelsOf(image, scene);
+  const std::vector<GraspRectangle> grasps = ReadJacquardGrasps(labels);
   return {
       .path = image,
       .image = relative.generic_string(),
       .mask = (relative.parent_path() / (scene + ".png")).generic_string(),
       .instance = ObjectOf(scene),
-      .make_mask = [grasps, options](
-                       int width,
-                       int height) { return MakeGraspMask(width, height, grasps, {}, options); },
+      .make_mask =
+          [labels, grasps, options](int width, int height) {
+            RequireWithinPicture(labels, grasps, width, height);
+            return MakeGraspMask(width, height, grasps, {}, options);
+          },
       .read_rectangles = [grasps] { return MarkedRectangles{.positive = grasps, .negative = {}}; }};
 }
 
@@ -118,11 +125,9 @@ SourceSet ListJacquard(const fs::path& source, const GraspMaskOptions& options) 
     if (!name.ends_with(kImageEnd)) continue;
     ++num_images;
     const std::string scene = name.substr(0, name.size() - kImageEnd.size());
-    const fs::path labels = file.parent_path() / (scene + std::string(kGraspsEnd));
-    if (!fs::exists(labels)) continue;
-    const std::vector<GraspRectangle> grasps = ReadJacquardGrasps(labels);
-    if (grasps.empty()) continue;
-    set.pictures.push_back(Describe(file, file.lexically_relative(source), scene, grasps, options));
+    if (!fs::exists(LabelsOf(file, scene))) continue;
+    SourcePicture picture = Describe(file, file.lexically_relative(source), scene, options);
+    if (!picture.read_rectangles().positive.empty()) set.pictures.push_back(std::move(picture));
   }
   if (set.pictures.empty()) {
     throw Error({.path = source.string(),

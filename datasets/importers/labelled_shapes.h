@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -42,12 +44,15 @@ using ShapeGeometry = std::variant<Polygon, Circle, PixelRuns, PixelSpans>;
 struct LabelledShape {
   ShapeGeometry geometry;
   std::uint8_t value = 0;  ///< of the mask
+  std::string where = {};  ///< in its file, for messages
 };
 
 /// The mask of one picture: bad everywhere, then the good shapes, then the bad ones, then what is
-/// don't care, each overruling those before it, whatever their order in the list. Throws
-/// std::logic_error when runs do not add up to the pixels, or spans leave the picture.
-[[nodiscard]] Image DrawLabelledShapes(int width,
+/// don't care, each overruling those before it, whatever their order in the list. Throws Error that
+/// names `file` and the shape when a polygon or circle reaches no pixel because it lies outside the
+/// picture, and std::logic_error when runs do not add up to the pixels, or spans leave the picture.
+[[nodiscard]] Image DrawLabelledShapes(const std::filesystem::path& file,
+                                       int width,
                                        int height,
                                        const std::vector<LabelledShape>& shapes);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -119,16 +120,18 @@ SourcePicture ReadAnnotation(const fs::path& file,
   const JsonValue json = JsonValue::ReadFile(file);
   SourcePicture picture;
   std::vector<LabelledShape> shapes;
+  std::size_t index = 0;
   for (const JsonValue& shape : json["shapes"].Items()) {
+    const std::string where = "at /shapes/" + std::to_string(index++);
     const std::string label = shape["label"].Text();
     labels.insert(label);
     const std::optional<std::uint8_t> value = roles.ValueOf(label);
-    if (value) shapes.push_back({ReadGeometry(shape), *value});
+    if (value) shapes.push_back({ReadGeometry(shape), *value, where});
   }
   PlacePicture(json, file, relative, picture);
   picture.make_mask = [file, shapes, size = ReadSize(json)](int width, int height) {
     if (size) RequireSameSize(file, "the labelled picture", *size, {width, height});
-    return DrawLabelledShapes(width, height, shapes);
+    return DrawLabelledShapes(file, width, height, shapes);
   };
   return picture;
 }

@@ -15,15 +15,37 @@ namespace {
 
 namespace fs = std::filesystem;
 
+[[noreturn]] void RefuseDanglingLink(const fs::path& path) {
+  std::error_code ignored;
+  throw Error({.path = path.string(),
+               .reason = "is a symbolic link to " + fs::read_symlink(path, ignored).string() +
+                         ", where nothing is",
+               .remedy = "put the file there, or remove the link"});
+}
+
 }  // namespace
 
+void RequireFolder(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored) || !fs::exists(path, ignored)) return;
+  throw Error({.path = path.string(),
+               .reason = "is a file; a folder is due",
+               .remedy = "give the folder that it lies in"});
+}
+
 std::vector<fs::path> ListFiles(const fs::path& folder, int max_depth) {
+  RequireFolder(folder);
   std::error_code error;
+  std::error_code ignored;
   std::vector<fs::path> files;
   for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end;
        it.increment(error)) {
     if (it.depth() >= max_depth) it.disable_recursion_pending();
-    if (it->is_regular_file()) files.push_back(it->path());
+    if (it->is_regular_file(ignored)) files.push_back(it->path());
+    const bool is_hidden = it->path().filename().string().starts_with('.');  // as editors' locks
+    if (!is_hidden && it->is_symlink(ignored) && !it->exists(ignored)) {
+      RefuseDanglingLink(it->path());
+    }
   }
   if (error) {
     throw Error({.path = folder.string(),

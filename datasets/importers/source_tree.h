@@ -11,8 +11,13 @@
 /// Finding files in the folders of others.
 namespace handcraft::datasets {
 
+/// Throws Error for a file. A path where nothing is passes: opening it will tell.
+void RequireFolder(const std::filesystem::path& path);
+
 /// Files of a folder and of the folders below it, `max_depth` levels deep (0: its own alone), in
-/// the byte order of their paths. Throws Error when the folder cannot be read.
+/// the byte order of their paths; links to files are files. Throws Error when the folder is a file
+/// or cannot be read, and naming a link that leads nowhere,
+/// unless its name begins with a dot.
 [[nodiscard]] std::vector<std::filesystem::path> ListFiles(const std::filesystem::path& folder,
                                                            int max_depth);
 

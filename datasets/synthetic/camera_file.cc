@@ -42,6 +42,14 @@ class CameraTable {
                  .remedy = std::move(remedy)});
   }
 
+  // `refusal` begins with the key, or with Struct.key.
+  [[noreturn]] void FailAtKey(const std::string& refusal) const {
+    constexpr std::string_view kStruct = "PinholeCamera.";
+    const std::string reason =
+        refusal.starts_with(kStruct) ? refusal.substr(kStruct.size()) : refusal;
+    Fail(Need(reason.substr(0, reason.find(' '))), reason);
+  }
+
   [[nodiscard]] bool Has(std::string_view key) const { return table_.contains(key); }
 
   [[nodiscard]] float Number(std::string_view key) const {
@@ -94,7 +102,7 @@ CameraFile ReadCameraFile(const std::filesystem::path& path) {
                   static_cast<double>(baseline_m),
                   "in (0, 1]");
   } catch (const Error& refusal) {
-    table.Fail(*found, refusal.details().reason);
+    table.FailAtKey(refusal.details().reason);
   }
   return file;
 }

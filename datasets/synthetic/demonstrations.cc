@@ -14,6 +14,7 @@
 
 #include "datasets/parallel_reporting.h"
 #include "datasets/synthetic/set_folder.h"
+#include "datasets/synthetic/set_lists.h"
 #include "lib/core/error.h"
 #include "lib/core/option_rules.h"
 
@@ -24,7 +25,6 @@ namespace fs = std::filesystem;
 
 constexpr int kSmallPosesPerView = 40;
 constexpr int kOtherPosesPerView = 333;  // 23948 poses of 6 classes in 12 views
-constexpr int kMaxPosesPerView = 1000000;
 
 // Dissertation, Table 4.1.
 struct TaughtCount {
@@ -161,8 +161,8 @@ MadeDemonstrations MakeDemonstrations(const fs::path& out, const DemonstrationOp
   PrepareSetFolder(out, ToToml(options), kViewFolders);
   ViewSetOptions turntable = options.views;
   turntable.kind = ViewSetKind::kTurntable;
-  const datasets::ViewSet views = MakeViews(out, turntable);
-  datasets::WriteViews(views);
+  MadeViews views = MakeViews(out, turntable);
+  WriteList(views.set, views.written);
 
   const std::span<const ObjectClass> classes = ClassesOf(turntable.family);
   const auto num_views = static_cast<std::size_t>(turntable.num_views);
@@ -173,15 +173,18 @@ MadeDemonstrations MakeDemonstrations(const fs::path& out, const DemonstrationOp
                                  "showing poses",
                                  [&](std::size_t i) {
                                    const auto own =
-                                       std::span(views.items).subspan(i * num_views, num_views);
+                                       std::span(views.set.items).subspan(i * num_views, num_views);
                                    shown[i] = ShowClass(classes[i], own, options);
                                  });
-  MadeDemonstrations made{.set = {.root = out, .items = {}}, .reports = {}};
+  MadeDemonstrations made{.set = {.root = out, .items = {}},
+                          .reports = {},
+                          .num_views = views.set.items.size(),
+                          .written = views.written};
   for (Shown& one : shown) {
     made.reports.push_back(std::move(one.report));
     made.set.items.insert(made.set.items.end(), one.items.begin(), one.items.end());
   }
-  datasets::WriteDemonstrations(made.set);
+  WriteList(made.set, made.written);
   return made;
 }
 

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -20,12 +21,15 @@ enum class PoseQuota {
           ///< mean of those, of others
 };
 
+/// The most poses a view that can be asked for by their number.
+inline constexpr int kMaxPosesPerView = 1000000;
+
 /// What is made: a turntable, and poses shown for each of its views.
 struct DemonstrationOptions {
   /// The turntable: family, sensor, seed, threads and so on; its `kind` is not looked at.
   ViewSetOptions views = {.num_views = 12};
   PoseQuota quota = PoseQuota::kSmall;
-  int poses_per_view = 0;  ///< instead; 0: as `quota` says; to 10⁶
+  int poses_per_view = 0;  ///< instead; 0: as `quota` says; to kMaxPosesPerView
   Gripper gripper = {};
   GraspRules rules = {};
   GraspSamplerOptions sampler = {};
@@ -52,15 +56,17 @@ struct ClassReport {
 struct MadeDemonstrations {
   datasets::DemonstrationSet set;
   std::vector<ClassReport> reports;
+  std::size_t num_views = 0;
+  Written written;
 };
 
 /// Makes a demonstration set (docs/synthetic_data.md): a view set of the turntable, and poses of
 /// the right hand (RightArm, Demonstrator). The pose of a number depends on seed, class, view and
 /// number alone, so a larger set begins, in each view, with the smaller one. dataset.toml comes
-/// first, demonstrations.csv last; when called again after it was stopped, the views that are whole
-/// are kept and the poses found again; the bytes are those of a run that was not stopped. Throws
-/// Error as MakeViews and PrepareSetFolder do, and kNoResult naming class and view when the hand or
-/// the arm cannot grasp an object.
+/// first, demonstrations.csv last; when called again, whether it was stopped or not, the views that
+/// are whole are kept and the poses found again (WriteList); the bytes are those of a run that was
+/// not stopped. Throws Error as MakeViews and PrepareSetFolder do, and kNoResult naming class and
+/// view when the hand or the arm cannot grasp an object.
 [[nodiscard]] MadeDemonstrations MakeDemonstrations(const std::filesystem::path& out,
                                                     const DemonstrationOptions& options);
 

@@ -14,13 +14,13 @@
 
 #include <fmt/format.h>
 
-#include "datasets/parallel_reporting.h"
 #include "datasets/synthetic/mesh_catalogue.h"
 #include "datasets/synthetic/renderer.h"
 #include "datasets/synthetic/scene.h"
 #include "datasets/synthetic/scene_files.h"
 #include "datasets/synthetic/sensor.h"
 #include "datasets/synthetic/set_folder.h"
+#include "datasets/synthetic/set_lists.h"
 #include "lib/core/file.h"
 #include "lib/core/option_rules.h"
 
@@ -35,7 +35,6 @@ constexpr int kInstancesPerTestInstance = 3;
 constexpr int kInstancesPerMesh = 3;
 constexpr int kSmallImagesPerClass = 24;
 constexpr int kMeshImagesFull = 120;
-constexpr int kMaxImages = 1000000;
 constexpr std::array<std::string_view, 5> kFolders = {
     "images", "masks", "object_masks", "depth", "scenes"};
 
@@ -190,8 +189,7 @@ Image DevelopPlanned(const Plan& plan,
   return Develop(view.light, scene.sensor, noise);
 }
 
-void MakePicture(const Plan& plan, const fs::path& root, const GraspPointSetOptions& options) {
-  if (IsWritten(root, plan.name)) return;
+SceneFiles MakePicture(const Plan& plan, const GraspPointSetOptions& options) {
   const Scene scene = DrawPlanned(plan, options);
   const View view = Render(scene, scene.camera);
   SceneFiles files;
@@ -204,7 +202,7 @@ void MakePicture(const Plan& plan, const fs::path& root, const GraspPointSetOpti
     const View right = Render(scene, RightOf(scene.camera, options.baseline_m));
     files.right_image = DevelopPlanned(plan, scene, right, "right", options.seed);
   }
-  WriteSceneFiles(root, plan.name, files);
+  return files;
 }
 
 }  // namespace
@@ -222,23 +220,25 @@ void GraspPointSetOptions::Validate() const {
   RequireOption(num_threads >= 1, "GraspPointSetOptions.num_threads", num_threads, "1 or more");
 }
 
-datasets::LabelledImageSet MakeGraspPointSet(const fs::path& out,
-                                             const GraspPointSetOptions& options) {
+MadeImages MakeGraspPointSet(const fs::path& out, const GraspPointSetOptions& options) {
   options.Validate();
   const MeshCatalogue catalogue =
       options.meshes.empty() ? MeshCatalogue{} : ReadMeshCatalogue(options.meshes);
   const std::vector<Kind> kinds = MakeKinds(options, catalogue);
   const std::vector<Plan> plans = MakePlans(options, kinds);
   PrepareSetFolder(out, ParametersToToml(options, catalogue, plans.size()), kFolders);
-  datasets::ParallelForReporting(plans.size(),
-                                 options.num_threads,
-                                 options.progress,
-                                 "rendering pictures",
-                                 [&](std::size_t i) { MakePicture(plans[i], out, options); });
-  datasets::LabelledImageSet set{.root = out, .items = {}};
-  for (const Plan& plan : plans) set.items.push_back(Describe(plan, options.with_right));
-  datasets::WriteManifest(set);
-  return set;
+  MadeImages made{.set = {.root = out, .items = {}}, .written = {}};
+  made.written.num_pictures = CountWritten(
+      plans.size(),
+      options.num_threads,
+      options.progress,
+      "rendering pictures",
+      [&](std::size_t i) {
+        return WriteUnlessWhole(out, plans[i].name, [&] { return MakePicture(plans[i], options); });
+      });
+  for (const Plan& plan : plans) made.set.items.push_back(Describe(plan, options.with_right));
+  WriteList(made.set, made.written);
+  return made;
 }
 
 }  // namespace handcraft::synthetic

@@ -9,6 +9,7 @@
 #include "datasets/formats/labelled_image_set.h"
 #include "datasets/synthetic/camera.h"
 #include "datasets/synthetic/object_classes.h"
+#include "datasets/synthetic/set_folder.h"
 #include "lib/core/progress.h"
 
 namespace handcraft::synthetic {
@@ -24,6 +25,9 @@ enum class Surroundings {
   kHousehold,  ///< patterned table, room, sheets, books, cloths, coins
   kBare,       ///< even colours and shadows alone (MakeBare)
 };
+
+/// The most pictures that can be asked for by their number.
+inline constexpr int kMaxImages = 1000000;
 
 /// What is made. Every picture depends on seed, class and its number within the class alone, so a
 /// larger set begins with the smaller one.
@@ -49,12 +53,17 @@ struct GraspPointSetOptions {
   void Validate() const;
 };
 
+struct MadeImages {
+  datasets::LabelledImageSet set;
+  Written written;
+};
+
 /// Makes a labelled image set (docs/synthetic_data.md): images/, masks/, object_masks/, depth/ and
 /// scenes/, dataset.toml first and manifest.csv last, so that a folder without a manifest is one
-/// that is not finished. Called again after it was stopped, it keeps the pictures that are whole
-/// and makes the others; the bytes are those of a run that was not stopped. Throws Error when `out`
-/// holds anything else or a set made with other options, and when it cannot write.
-datasets::LabelledImageSet MakeGraspPointSet(const std::filesystem::path& out,
-                                             const GraspPointSetOptions& options);
+/// that is not finished. Called again, whether it was stopped or not, it keeps the pictures of
+/// which every file is whole and makes the others (IsWhole, WriteList); the bytes are those of a
+/// run that was not stopped. Throws Error when `out` holds anything else or a set made with other
+/// options, and when it cannot write.
+MadeImages MakeGraspPointSet(const std::filesystem::path& out, const GraspPointSetOptions& options);
 
 }  // namespace handcraft::synthetic

@@ -263,6 +263,12 @@ Material DrawFinish(Finish finish, Rng& rng) {
 
 MeshCatalogue ReadMeshCatalogue(const fs::path& folder) {
   const fs::path file = folder / kFileName;
+  if (fs::is_regular_file(folder)) {
+    throw Error({.kind = Error::Kind::kUsage,
+                 .path = folder.string(),
+                 .reason = "is a file; a folder with a meshes.toml is due",
+                 .remedy = "docs/synthetic_data.md describes one"});
+  }
   if (!fs::is_regular_file(file)) {
     throw Error({.kind = Error::Kind::kUsage,
                  .path = folder.string(),

@@ -19,6 +19,7 @@
 #include "datasets/synthetic/robot_table.h"
 #include "datasets/synthetic/scene_files.h"
 #include "datasets/synthetic/set_folder.h"
+#include "datasets/synthetic/set_lists.h"
 #include "datasets/synthetic/view_sets.h"
 #include "lib/core/error.h"
 #include "lib/core/option_rules.h"
@@ -136,8 +137,7 @@ Configuration MakeConfiguration(const Subject& subject, int number, const Regras
   return made;
 }
 
-void WriteView(const Configuration& made, const fs::path& root, const RegraspOptions& options) {
-  if (IsWritten(root, made.name)) return;
+SceneFiles MakeView(const Configuration& made, const RegraspOptions& options) {
   const Object object = DrawInstance(*made.kind, options.seed, 0);
   Rng room = StreamOf(*made.kind, "room", 0, options);
   Scene scene = DrawRobotTable(options.camera, room);
@@ -151,14 +151,12 @@ void WriteView(const Configuration& made, const fs::path& root, const RegraspOpt
   scene.objects.push_back({object, made.place.base_from_object, true});
   MeasuredView taken =
       MeasureView(scene, options.sensor, options.baseline_m, options.seed, "regrasp " + made.name);
-  WriteSceneFiles(root,
-                  made.name,
-                  {.image = std::move(taken.image),
-                   .object_mask = std::move(taken.view.object_mask),
-                   .cloud = std::move(taken.cloud),
-                   .depth = std::move(taken.view.depth),
-                   .scene = fmt::format("angle_deg = {}\n", made.place.angle_deg) +
-                            SceneToToml(made.kind->name, 0, scene)});
+  return {.image = std::move(taken.image),
+          .object_mask = std::move(taken.view.object_mask),
+          .cloud = std::move(taken.cloud),
+          .depth = std::move(taken.view.depth),
+          .scene = fmt::format("angle_deg = {}\n", made.place.angle_deg) +
+                   SceneToToml(made.kind->name, 0, scene)};
 }
 
 // Each class's places, poses and holds, class after class.
@@ -256,14 +254,16 @@ MadeRegrasps MakeRegraspSet(const fs::path& out, const RegraspOptions& options) 
   options.Validate();
   PrepareSetFolder(out, ToToml(options), kViewFolders);
   const std::vector<Configuration> all = MakeConfigurations(options);
-  datasets::ParallelForReporting(
-      all.size(), options.num_threads, options.progress, "rendering views", [&](std::size_t i) {
-        WriteView(all[i], out, options);
-      });
   datasets::ViewSet views{.root = out, .items = {}};
   MadeRegrasps made{.demonstrations = {.root = out, .items = {}},
                     .holds = {.root = out, .items = {}},
-                    .counts = {}};
+                    .counts = {},
+                    .num_views = all.size(),
+                    .written = {}};
+  made.written.num_pictures = CountWritten(
+      all.size(), options.num_threads, options.progress, "rendering views", [&](std::size_t i) {
+        return WriteUnlessWhole(out, all[i].name, [&] { return MakeView(all[i], options); });
+      });
   for (const Configuration& one : all) {
     views.items.push_back(Describe(one));
     std::copy(one.demonstrations.begin(),
@@ -272,9 +272,9 @@ MadeRegrasps MakeRegraspSet(const fs::path& out, const RegraspOptions& options) 
     std::copy(one.holds.begin(), one.holds.end(), std::back_inserter(made.holds.items));
     made.counts.Add(one.counts);
   }
-  datasets::WriteViews(views);
-  datasets::WriteDemonstrations(made.demonstrations);
-  datasets::WriteHolds(made.holds);
+  WriteList(views, made.written);
+  WriteList(made.demonstrations, made.written);
+  WriteList(made.holds, made.written);
   return made;
 }
 

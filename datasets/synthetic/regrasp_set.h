@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -12,6 +13,7 @@
 #include "datasets/formats/hold_set.h"
 #include "datasets/synthetic/hold_sampler.h"
 #include "datasets/synthetic/measured_view.h"
+#include "datasets/synthetic/set_folder.h"
 #include "lib/core/progress.h"
 
 namespace handcraft::synthetic {
@@ -60,14 +62,17 @@ struct MadeRegrasps {
   datasets::DemonstrationSet demonstrations;
   datasets::HoldSet holds;
   HoldCounts counts;
+  std::size_t num_views = 0;
+  Written written;
 };
 
 /// Makes a regrasp set (docs/synthetic_data.md): a view set, the right hand's demonstrations and
 /// holds of both hands for each view. Everything depends on seed, class, configuration and number
-/// alone. dataset.toml comes first, holds.csv last; when called again after it was stopped, the
-/// views that are whole are kept; the bytes are those of a run that was not stopped. Throws Error
-/// as PrepareSetFolder does, kUsage when the camera does not see an object whole, and kNoResult
-/// naming the class when it cannot be grasped or held by both hands.
+/// alone. dataset.toml comes first, holds.csv last; when called again, whether it was
+/// stopped or not, the views that are whole are kept and all else is found again (WriteList); the
+/// bytes are those of a run that was not stopped. Throws Error as PrepareSetFolder does, kUsage
+/// when the camera does not see an object whole, and kNoResult naming the class when it cannot be
+/// grasped or held by both hands.
 [[nodiscard]] MadeRegrasps MakeRegraspSet(const std::filesystem::path& out,
                                           const RegraspOptions& options);
 

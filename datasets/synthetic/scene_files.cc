@@ -4,12 +4,16 @@
 #include "datasets/synthetic/scene_files.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "datasets/parallel_reporting.h"
 #include "lib/core/file.h"
+#include "lib/core/sha256.h"
 #include "lib/perception/image_io.h"
 
 namespace handcraft::synthetic {
@@ -36,14 +40,41 @@ std::string FloatToToml(float value) {
   return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
+constexpr std::string_view kRecordStart = "\n[files]\n";
+
+// The table [files], which tells what the other files are and what stands before it.
+std::string Record(const fs::path& root, std::string_view name, std::string_view scene) {
+  using Place = std::pair<std::string_view, std::string_view>;
+  Sha256 digest;
+  for (const auto& [folder, ending] : {Place("images", ".png"),
+                                       Place("images", "_right.png"),
+                                       Place("masks", ".png"),
+                                       Place("object_masks", ".png"),
+                                       Place("clouds", ".pcd"),
+                                       Place("depth", ".png")}) {
+    const std::string path = ScenePath(folder, name, ending);
+    if (!fs::exists(root / path)) continue;
+    digest.Update(path);
+    digest.Update(std::string_view("\0", 1));
+    digest.Update(Sha256Hex(ReadFile(root / path)));
+    digest.Update("\n");
+  }
+  digest.Update(scene);
+  return fmt::format("{}sha256 = \"{}\"\n", kRecordStart, digest.HexDigest());
+}
+
 }  // namespace
 
 std::string ScenePath(std::string_view folder, std::string_view name, std::string_view ending) {
   return fmt::format("{}/{}{}", folder, name, ending);
 }
 
-bool IsWritten(const fs::path& root, std::string_view name) {
-  return fs::exists(root / ScenePath("scenes", name, ".toml"));
+bool IsWhole(const fs::path& root, std::string_view name) {
+  const fs::path path = root / ScenePath("scenes", name, ".toml");
+  if (!fs::exists(path)) return false;
+  const std::string text = ReadTextFile(path);
+  const std::string scene = text.substr(0, text.rfind(kRecordStart));
+  return text == scene + Record(root, name, scene);
 }
 
 void WriteSceneFiles(const fs::path& root, std::string_view name, const SceneFiles& files) {
@@ -60,7 +91,28 @@ void WriteSceneFiles(const fs::path& root, std::string_view name, const SceneFil
   if (!files.depth.empty()) {
     perception::WritePng16(root / ScenePath("depth", name, ".png"), ToMillimetres(files.depth));
   }
-  WriteFileAtomically(root / ScenePath("scenes", name, ".toml"), files.scene);
+  WriteFileAtomically(root / ScenePath("scenes", name, ".toml"),
+                      files.scene + Record(root, name, files.scene));
+}
+
+bool WriteUnlessWhole(const fs::path& root,
+                      std::string_view name,
+                      const std::function<SceneFiles()>& make) {
+  if (IsWhole(root, name)) return false;
+  WriteSceneFiles(root, name, make());
+  return true;
+}
+
+std::size_t CountWritten(std::size_t num_scenes,
+                         int num_threads,
+                         const Progress& progress,
+                         std::string_view stage,
+                         const std::function<bool(std::size_t)>& write) {
+  std::atomic<std::size_t> num_written = 0;
+  datasets::ParallelForReporting(num_scenes, num_threads, progress, stage, [&](std::size_t i) {
+    if (write(i)) ++num_written;
+  });
+  return num_written;
 }
 
 std::string PoseToToml(std::string_view key, const Eigen::Isometry3f& pose) {

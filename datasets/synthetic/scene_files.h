@@ -3,7 +3,9 @@
 
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +14,7 @@
 #include "datasets/synthetic/camera.h"
 #include "datasets/synthetic/scene.h"
 #include "lib/core/image.h"
+#include "lib/core/progress.h"
 
 /// The files of made-up sets, whatever their kind (docs/synthetic_data.md).
 namespace handcraft::synthetic {
@@ -35,14 +38,30 @@ struct SceneFiles {
                                     std::string_view name,
                                     std::string_view ending);
 
-/// Whether all files of the scene are there: its TOML, which is written last, is.
-[[nodiscard]] bool IsWritten(const std::filesystem::path& root, std::string_view name);
+/// Whether every file of the scene is there as WriteSceneFiles left it: reads them all. Throws
+/// Error when one that is there cannot be read.
+[[nodiscard]] bool IsWhole(const std::filesystem::path& root, std::string_view name);
 
-/// Writes the scene's files into the folders of the set, the TOML last. Throws Error when it
-/// cannot.
+/// Writes the scene's files into the folders of the set, the TOML last. It ends with a table
+/// [files], whose `sha256` is that of a line "path \0 SHA-256 of the file \n" for each of the
+/// others, in the order of SceneFiles, and of the TOML before the table. Throws Error when it
+/// cannot write.
 void WriteSceneFiles(const std::filesystem::path& root,
                      std::string_view name,
                      const SceneFiles& files);
+
+/// The same with what `make` returns, unless the scene is whole. Returns whether it wrote.
+[[nodiscard]] bool WriteUnlessWhole(const std::filesystem::path& root,
+                                    std::string_view name,
+                                    const std::function<SceneFiles()>& make);
+
+/// Calls `write`, which tells whether it wrote a scene, for each number on several threads, as
+/// ParallelForReporting does. Returns how many were written.
+[[nodiscard]] std::size_t CountWritten(std::size_t num_scenes,
+                                       int num_threads,
+                                       const Progress& progress,
+                                       std::string_view stage,
+                                       const std::function<bool(std::size_t)>& write);
 
 /// The pose as two lines of TOML: KEY_position_m = [x, y, z], KEY_quaternion_xyzw = [x, y, z, w].
 [[nodiscard]] std::string PoseToToml(std::string_view key, const Eigen::Isometry3f& pose);

@@ -75,7 +75,7 @@ void MakeOrTakeUp(const fs::path& out,
   }
   fs::create_directory(out);
   RemoveTemporaryFiles(out);
-  WriteFileAtomically(file, parameters);
+  if (!fs::exists(file)) WriteFileAtomically(file, parameters);
   for (const std::string_view folder : subfolders) {
     fs::create_directory(out / folder);
     RemoveTemporaryFiles(out / folder);

@@ -3,11 +3,20 @@
 
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string_view>
 
 namespace handcraft::synthetic {
+
+/// What a run has written of a set; what was whole before is not written again.
+struct Written {
+  std::size_t num_pictures = 0;  ///< of which a file was missing or not whole
+  std::size_t num_lists = 0;     ///< that were missing or told something else
+
+  [[nodiscard]] bool IsNothing() const noexcept { return num_pictures + num_lists == 0; }
+};
 
 /// Makes the folder of a made-up set with its subfolders, or takes up one that the same options
 /// have begun: `parameters`, the text of its dataset.toml, is written first and must be the same to

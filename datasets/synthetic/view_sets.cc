@@ -10,10 +10,10 @@
 
 #include <fmt/format.h>
 
-#include "datasets/parallel_reporting.h"
 #include "datasets/synthetic/scene_files.h"
 #include "datasets/synthetic/scene_parts.h"
 #include "datasets/synthetic/set_folder.h"
+#include "datasets/synthetic/set_lists.h"
 #include "lib/core/error.h"
 #include "lib/core/option_rules.h"
 
@@ -108,22 +108,25 @@ Scene BuildScene(const Plan& plan, MovedObject placed, const ViewSetOptions& opt
   return scene;
 }
 
-void MakeView(Plan& plan, const fs::path& root, const ViewSetOptions& options) {
-  MovedObject placed = Place(plan, DrawInstance(*plan.kind, options.seed, 0), options);
-  plan.angle_deg = placed.angle_deg;
-  if (IsWritten(root, plan.name)) return;
+SceneFiles MakeView(const Plan& plan, MovedObject placed, const ViewSetOptions& options) {
   const std::string place =
       fmt::format("angle_deg = {}\nscale = {}\n", placed.angle_deg, placed.scale);
   const Scene scene = BuildScene(plan, std::move(placed), options);
   const std::string stream = fmt::format("{} {}", NameOf(options.kind), plan.name);
   MeasuredView taken = MeasureView(scene, options.sensor, options.baseline_m, options.seed, stream);
-  WriteSceneFiles(root,
-                  plan.name,
-                  {.image = std::move(taken.image),
-                   .object_mask = std::move(taken.view.object_mask),
-                   .cloud = std::move(taken.cloud),
-                   .depth = std::move(taken.view.depth),
-                   .scene = place + SceneToToml(plan.kind->name, 0, scene)});
+  return {.image = std::move(taken.image),
+          .object_mask = std::move(taken.view.object_mask),
+          .cloud = std::move(taken.cloud),
+          .depth = std::move(taken.view.depth),
+          .scene = place + SceneToToml(plan.kind->name, 0, scene)};
+}
+
+// Tells the plan by how much the object is turned, too.
+bool WriteView(Plan& plan, const fs::path& root, const ViewSetOptions& options) {
+  MovedObject placed = Place(plan, DrawInstance(*plan.kind, options.seed, 0), options);
+  plan.angle_deg = placed.angle_deg;
+  return WriteUnlessWhole(
+      root, plan.name, [&] { return MakeView(plan, std::move(placed), options); });
 }
 
 }  // namespace
@@ -186,24 +189,24 @@ std::string ViewSetToToml(std::string_view kind, const ViewSetOptions& options) 
                       HasPair(options.sensor) ? std::optional(options.baseline_m) : std::nullopt);
 }
 
-datasets::ViewSet MakeViews(const fs::path& root, const ViewSetOptions& options) {
+MadeViews MakeViews(const fs::path& root, const ViewSetOptions& options) {
   options.Validate();
   std::vector<Plan> plans = MakePlans(options);
-  datasets::ParallelForReporting(
+  MadeViews made{.set = {.root = root, .items = {}}, .written = {}};
+  made.written.num_pictures = CountWritten(
       plans.size(), options.num_threads, options.progress, "rendering views", [&](std::size_t i) {
-        MakeView(plans[i], root, options);
+        return WriteView(plans[i], root, options);
       });
-  datasets::ViewSet set{.root = root, .items = {}};
-  for (const Plan& plan : plans) set.items.push_back(Describe(plan, options));
-  return set;
+  for (const Plan& plan : plans) made.set.items.push_back(Describe(plan, options));
+  return made;
 }
 
-datasets::ViewSet MakeViewSet(const fs::path& out, const ViewSetOptions& options) {
+MadeViews MakeViewSet(const fs::path& out, const ViewSetOptions& options) {
   options.Validate();
   PrepareSetFolder(out, ViewSetToToml(NameOf(options.kind), options), kViewFolders);
-  datasets::ViewSet set = MakeViews(out, options);
-  datasets::WriteViews(set);
-  return set;
+  MadeViews made = MakeViews(out, options);
+  WriteList(made.set, made.written);
+  return made;
 }
 
 }  // namespace handcraft::synthetic

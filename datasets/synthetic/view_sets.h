@@ -13,6 +13,7 @@
 #include "datasets/synthetic/measured_view.h"
 #include "datasets/synthetic/object_classes.h"
 #include "datasets/synthetic/robot_table.h"
+#include "datasets/synthetic/set_folder.h"
 #include "lib/core/progress.h"
 
 namespace handcraft::synthetic {
@@ -56,17 +57,21 @@ inline constexpr std::array<std::string_view, 5> kViewFolders = {
 /// The lines of dataset.toml that tell the options; `kind` is the first one's value.
 [[nodiscard]] std::string ViewSetToToml(std::string_view kind, const ViewSetOptions& options);
 
-/// Renders and measures the views that are not written yet into the folders of `root`, which must
-/// be there (PrepareSetFolder), and returns the list of all, which is not written. The split is
-/// `train` for the turntable of the taught family, else `test`. Throws Error when it cannot write,
-/// and when the camera does not see an object whole.
-[[nodiscard]] datasets::ViewSet MakeViews(const std::filesystem::path& root,
-                                          const ViewSetOptions& options);
+struct MadeViews {
+  datasets::ViewSet set;
+  Written written;
+};
+
+/// Renders and measures the views that are not whole (IsWhole) into the folders of `root`, which
+/// must be there (PrepareSetFolder), and returns the list of all, which is not written. The split
+/// is `train` for the turntable of the taught family, else `test`. Throws Error when it cannot
+/// write, and when the camera does not see an object whole.
+[[nodiscard]] MadeViews MakeViews(const std::filesystem::path& root, const ViewSetOptions& options);
 
 /// Makes a view set (docs/synthetic_data.md): dataset.toml first and views.csv last, so that a
-/// folder without it is one that is not finished. Called again after it was stopped, it keeps the
-/// views that are whole and makes the others; the bytes are those of a run that was not stopped.
-/// Throws Error as MakeViews and PrepareSetFolder do.
-datasets::ViewSet MakeViewSet(const std::filesystem::path& out, const ViewSetOptions& options);
+/// folder without it is one that is not finished. Called again, whether it was stopped or not, it
+/// keeps the views that are whole and makes the others (WriteList); the bytes are those of a run
+/// that was not stopped. Throws Error as MakeViews and PrepareSetFolder do.
+MadeViews MakeViewSet(const std::filesystem::path& out, const ViewSetOptions& options);
 
 }  // namespace handcraft::synthetic

@@ -30,7 +30,8 @@ datasets::LabelledImageSet Provide(const DataSource& source,
                                        .num_images = source.num_images,
                                        .seed = source.seed,
                                        .num_threads = num_threads,
-                                       .progress = progress});
+                                       .progress = progress})
+      .set;
 }
 
 datasets::SplitGroup GroupOf(StudySplit split) {

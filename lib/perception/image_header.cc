@@ -8,6 +8,7 @@
 #include <string>
 
 #include "lib/core/error.h"
+#include "lib/perception/png_crc.h"
 
 namespace handcraft::perception {
 namespace {
@@ -80,23 +81,6 @@ bool StartsWith(Bytes bytes, std::string_view magic) {
   return true;
 }
 
-// CRC-32 of PNG 3rd edition, annex D.
-std::uint32_t PngCrc(Bytes bytes) {
-  static constexpr auto kTable = [] {
-    std::array<std::uint32_t, 256> table{};
-    for (std::uint32_t n = 0; n < 256; ++n) {
-      table[n] = n;
-      for (int bit = 0; bit < 8; ++bit) {
-        table[n] = (table[n] >> 1) ^ ((table[n] & 1U) != 0 ? 0xEDB88320U : 0U);
-      }
-    }
-    return table;
-  }();
-  std::uint32_t crc = 0xFFFFFFFFU;
-  for (const std::uint8_t byte : bytes) crc = kTable[(crc ^ byte) & 0xFFU] ^ (crc >> 8);
-  return ~crc;
-}
-
 ImageHeader ReadPng(const File& file) {
   constexpr std::size_t kFirstChunk = 8;
   constexpr std::uint32_t kIhdr = 0x49484452;
@@ -133,7 +117,8 @@ ImageHeader ReadPng(const File& file) {
           static_cast<int>(width),
           static_cast<int>(height),
           colour_type == 0 || colour_type == 4,
-          has_exif};
+          has_exif,
+          colour_type == 3};
 }
 
 // Behind a start of scan: the place of the next marker that ends the entropy-coded data.

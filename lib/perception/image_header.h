@@ -25,6 +25,7 @@ struct ImageHeader {
   int height = 0;           ///< [px]
   bool gray = false;        ///< stored as intensities; a palette counts as colour
   bool may_turn = false;    ///< has an Exif part, whose rotation tag can swap width and height
+  bool indexed = false;     ///< a PNG with a palette
 };
 
 /// Reads the header and walks the file to its end without decoding a pixel, so that a file that

@@ -15,6 +15,7 @@
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 #include "lib/perception/image_header.h"
+#include "lib/perception/palette_indices.h"
 
 namespace handcraft::perception {
 namespace {
@@ -67,19 +68,36 @@ void EncodePng(const std::filesystem::path& path, const BasicImage<T>& image, in
   WriteFileAtomically(path, bytes);
 }
 
+bool IsAllGray(const cv::Mat& pixels) {
+  for (int v = 0; v < pixels.rows; ++v) {
+    for (int u = 0; u < pixels.cols; ++u) {
+      const cv::Vec3b& pixel = pixels.at<cv::Vec3b>(v, u);
+      if (pixel[0] != pixel[1] || pixel[0] != pixel[2]) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 Image ReadImage(const std::filesystem::path& path, Channels channels) {
   const std::vector<std::uint8_t> bytes = ReadFile(path);
   const ImageHeader header = ReadImageHeader(path, bytes);
-  const cv::Mat pixels =
+  cv::Mat pixels =
       Decode(path, bytes, header, header.gray ? cv::IMREAD_GRAYSCALE : cv::IMREAD_ANYCOLOR);
+  CheckPaletteIndices(path, bytes);
   HC_CHECK(pixels.depth() == CV_8U && (pixels.channels() == 1 || pixels.channels() == 3),
            pixels.type());
   if (channels == Channels::kGray && pixels.channels() != 1) {
-    throw Error({.path = path.string(),
-                 .reason = "a colour picture where a gray one is due",
-                 .remedy = "save it with one channel"});
+    if (!header.indexed || !IsAllGray(pixels)) {
+      throw Error(
+          {.path = path.string(),
+           .reason = std::string(header.indexed ? "a palette of colours" : "a colour picture") +
+                     " where a gray one is due",
+           .remedy = header.indexed ? "save it as gray values, without a palette"
+                                    : "save it with one channel"});
+    }
+    cv::extractChannel(pixels, pixels, 0);
   }
   return ToImage<std::uint8_t>(pixels);
 }

@@ -13,12 +13,13 @@ namespace handcraft::perception {
 
 enum class Channels {
   kAsStored,  ///< 1 channel when the file is gray, else 3 (BGR)
-  kGray,      ///< 1 channel; a colour file is refused
+  kGray,      ///< 1 channel; a colour file is refused, a palette must lead to gray values alone
 };
 
 /// Reads an 8-bit PNG, JPEG, BMP or PPM/PGM. JPEG rotation tags are applied; palettes become BGR;
-/// an alpha channel is dropped. 16-bit and floating-point files, empty and damaged ones are
-/// refused: throws Error with the path and what was found.
+/// an alpha channel is dropped. Pixels beyond the palette (CheckPaletteIndices), 16-bit and
+/// floating-point files, empty and damaged ones are refused: throws Error with the path and what
+/// was found.
 [[nodiscard]] Image ReadImage(const std::filesystem::path& path,
                               Channels channels = Channels::kAsStored);
 

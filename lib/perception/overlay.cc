@@ -68,6 +68,30 @@ void BlendProbabilities(Image& image, const FloatImage& probabilities) {
   }
 }
 
+constexpr std::uint8_t kGood = 255;
+
+// Around what is good a line, white next to it and black beyond, so that it shows on any ground: on
+// a green object, too. As wide as needs be in a picture that is made small.
+void Outline(const Image& mask, Image& drawn) {
+  const auto& labels = mask.values();
+  if (std::find(labels.begin(), labels.end(), kGood) == labels.end()) return;
+  // OpenCV takes no pointer to const, but only reads.
+  const cv::Mat all(mask.height(), mask.width(), CV_8UC1, const_cast<std::uint8_t*>(mask.Row(0)));
+  const cv::Mat good = all == kGood;
+  const int width_px = cvRound(std::max(mask.width(), mask.height()) / 256.0);
+  cv::Mat canvas(drawn.height(), drawn.width(), CV_8UC3, drawn.Row(0));
+  cv::Mat inner = good;
+  for (const int level : {255, 0}) {
+    cv::Mat outer;
+    cv::dilate(
+        inner,
+        outer,
+        cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(2 * width_px + 1, 2 * width_px + 1)));
+    canvas.setTo(cv::Scalar::all(level), outer & ~inner);
+    inner = outer;
+  }
+}
+
 // Dark below bright, so that it shows on any ground.
 template <class Draw>
 void DrawTwice(int width_px, const Draw& draw) {
@@ -172,12 +196,13 @@ Image DrawGraspPoints(const Image& image,
 }
 
 Image DrawLabelMask(const Image& image, const Image& mask) {
-  constexpr std::uint8_t kGood = 255;
   constexpr std::uint8_t kDontCare = 128;
-  return Tint(image, mask, [](std::uint8_t label, std::uint8_t* pixel) {
+  Image drawn = Tint(image, mask, [](std::uint8_t label, std::uint8_t* pixel) {
     if (label == kGood) Blend(pixel, {0.0F, 230.0F, 0.0F}, 0.6F);
     if (label == kDontCare) Blend(pixel, kBlue, 0.3F);
   });
+  Outline(mask, drawn);
+  return drawn;
 }
 
 Image DrawRegion(const Image& image, const Image& mask) {

@@ -119,6 +119,10 @@ std::int64_t XmlElement::Integer(const std::string& attribute,
   return value;
 }
 
+std::string XmlElement::Where() const {
+  return "line " + std::to_string(element_->GetLineNum()) + ", <" + Name() + ">";
+}
+
 void XmlElement::Fail(const std::string& reason, const std::string& remedy) const {
   throw Error({.path = file_->path.string(),
                .line = static_cast<std::size_t>(element_->GetLineNum()),

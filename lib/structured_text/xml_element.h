@@ -43,6 +43,8 @@ class XmlElement {
                                      std::int64_t lowest,
                                      std::int64_t highest) const;
 
+  /// The place in the file, for messages: "line 7, <box>".
+  [[nodiscard]] std::string Where() const;
   /// Throws Error naming the file and the line.
   [[noreturn]] void Fail(const std::string& reason, const std::string& remedy = {}) const;
 

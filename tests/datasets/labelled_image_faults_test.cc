@@ -10,6 +10,7 @@
 
 #include "lib/core/file.h"
 #include "tests/datasets/small_image_set.h"
+#include "tests/datasets/small_scene_file.h"
 #include "tests/support/temporary_directory.h"
 
 namespace handcraft::datasets {
@@ -47,19 +48,31 @@ TEST(FindFaults, FindsNothingInASoundSet) {
 TEST(FindFaults, FindsEveryFaultAndItsFile) {
   const TemporaryDirectory folder;
   LabelledImageSet set = MakeSet(folder.path());
-  AddPicture(set, "empty", NoiseImage(4, 4, 1, 9), CountedMask(4, 4, 0, 0));
-  AddPicture(set, "no_bad", NoiseImage(4, 4, 1, 10), CountedMask(4, 4, 16, 0));
   AddPicture(set, "mis_sized", NoiseImage(4, 4, 1, 11), CountedMask(4, 5, 1, 1));
   AddPicture(set, "missing", NoiseImage(4, 4, 1, 12), CountedMask(4, 4, 1, 1));
   AddPicture(set, "twin", NoiseImage(4, 4, 3, 3), CountedMask(4, 4, 1, 1));  // as c.png
   std::filesystem::remove(folder / "missing.png");
   std::map<std::string, std::string> reasons = ReasonsByPath(set);
-  EXPECT_THAT(reasons, SizeIs(5));
-  EXPECT_THAT(reasons["empty_mask.png"], AllOf(HasSubstr("no good"), HasSubstr("no bad")));
-  EXPECT_THAT(reasons["no_bad_mask.png"], HasSubstr("no bad pixel (0)"));
+  EXPECT_THAT(reasons, SizeIs(3));
   EXPECT_THAT(reasons["mis_sized_mask.png"], HasSubstr("4x5"));
   EXPECT_THAT(reasons["missing.png"], HasSubstr("No such file"));
   EXPECT_THAT(reasons["twin.png"], HasSubstr("same picture as c.png, which is in another split"));
+}
+
+TEST(FindFaults, NotesMasksOfOneKindAlone) {
+  const TemporaryDirectory folder;
+  LabelledImageSet set = MakeSet(folder.path());
+  AddPicture(set, "no_label", NoiseImage(4, 4, 1, 9), CountedMask(4, 4, 0, 0));
+  AddPicture(set, "no_bad", NoiseImage(4, 4, 1, 10), CountedMask(4, 4, 16, 0));
+  AddPicture(set, "no_good", NoiseImage(4, 4, 1, 11), CountedMask(4, 4, 0, 16));
+  std::map<std::string, std::string> reasons = ReasonsByPath(set);
+  EXPECT_THAT(reasons, SizeIs(3));
+  EXPECT_THAT(reasons["no_label_mask.png"], AllOf(HasSubstr("no good"), HasSubstr("no bad")));
+  EXPECT_EQ(reasons["no_bad_mask.png"],
+            "no bad pixel (0): training draws nothing from the picture;");
+  EXPECT_EQ(reasons["no_good_mask.png"],
+            "no good pixel (255): training draws nothing from the picture;");
+  for (const Fault& fault : FindFaults(set)) EXPECT_EQ(fault.gravity, Gravity::kNote);
 }
 
 TEST(FindFaults, LooksAtCompanions) {
@@ -67,7 +80,7 @@ TEST(FindFaults, LooksAtCompanions) {
   LabelledImageSet set = MakeSet(folder.path());
   perception::WritePng(folder / "object.png", Image(8, 6, 1, 255));
   perception::WritePng16(folder / "depth.png", BasicImage<std::uint16_t>(8, 6));
-  WriteFileAtomically(folder / "scene.toml", "class = 1\n");
+  WriteFileAtomically(folder / "scene.toml", testing::kSmallSceneFile);
   set.items[0].others = {
       {"object_mask", "object.png"}, {"depth", "depth.png"}, {"scene", "scene.toml"}};
   EXPECT_THAT(FindFaults(set), IsEmpty());

@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 
 #include "lib/core/file.h"
+#include "tests/datasets/small_scene_file.h"
 #include "tests/datasets/small_view_set.h"
 #include "tests/support/temporary_directory.h"
 
@@ -61,7 +62,7 @@ TEST(ViewSetFaults, NameDepthAndScene) {
   const TemporaryDirectory folder;
   ViewSet set = MakeViewSet(folder.path());
   perception::WritePng16(folder / "depth.png", BasicImage<std::uint16_t>(8, 6));
-  WriteFileAtomically(folder / "scene.toml", "class = \"mug\"\n");
+  WriteFileAtomically(folder / "scene.toml", testing::kSmallSceneFile);
   set.items[0].depth = "depth.png";
   set.items[0].scene = "scene.toml";
   EXPECT_THAT(FindFaults(set), IsEmpty());

@@ -78,5 +78,16 @@ TEST(ApplyCameraFile, LeavesTheCameraWithoutAFile) {
       ApplyCameraFile("no.toml", camera, baseline_m), Error, HasSubstr("No such file"));
 }
 
+TEST(TellWritten, ClaimsNoMoreThanWasDone) {
+  const auto tell = [](std::size_t num_pictures, std::size_t num_lists) {
+    return TellWritten(
+        {.num_pictures = num_pictures, .num_lists = num_lists}, 3, "9 poses", "made");
+  };
+  EXPECT_EQ(tell(3, 2), "Wrote 9 poses to made\n");
+  EXPECT_EQ(tell(1, 2), "Completed made, 9 poses: 2 of the 3 pictures were there\n");
+  EXPECT_EQ(tell(0, 1), "Completed made, 9 poses: 3 of the 3 pictures were there\n");
+  EXPECT_EQ(tell(0, 0), "Nothing to write: made is complete, 9 poses\n");
+}
+
 }  // namespace
 }  // namespace handcraft::tools

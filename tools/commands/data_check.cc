@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <cstddef>
 #include <memory>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -24,27 +26,38 @@ struct DataCheckOptions {
   bool json = false;
 };
 
+nlohmann::ordered_json ToJson(const std::vector<datasets::Fault>& findings) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const datasets::Fault& finding : findings) {
+    nlohmann::ordered_json& entry = list.emplace_back();
+    entry["path"] = finding.path;
+    if (finding.line) entry["line"] = *finding.line;
+    entry["reason"] = finding.reason;
+    if (!finding.remedy.empty()) entry["remedy"] = finding.remedy;
+  }
+  return list;
+}
+
 void PrintJson(const Console& console,
                const std::string& folder,
                const datasets::CheckedSet& checked) {
   nlohmann::ordered_json json{{"folder", folder}, {"num_images", checked.num_images}};
   if (checked.num_demonstrations) json["num_demonstrations"] = *checked.num_demonstrations;
   if (checked.num_holds) json["num_holds"] = *checked.num_holds;
-  json["faults"] = nlohmann::ordered_json::array();
-  for (const datasets::Fault& fault : checked.faults) {
-    nlohmann::ordered_json& entry = json["faults"].emplace_back();
-    entry["path"] = fault.path;
-    if (fault.line) entry["line"] = *fault.line;
-    entry["reason"] = fault.reason;
-  }
+  json["faults"] = ToJson(checked.faults);
+  json["notes"] = ToJson(checked.notes);
   console.Print(json);
 }
 
-void PrintFaults(const Console& console, const std::vector<datasets::Fault>& faults) {
-  for (const datasets::Fault& fault : faults) {
-    console.out << fault.path;
-    if (fault.line) console.out << ':' << *fault.line;
-    console.out << ": " << fault.reason << '\n';
+void PrintFindings(const Console& console,
+                   std::string_view kind,
+                   const std::vector<datasets::Fault>& findings) {
+  for (const datasets::Fault& finding : findings) {
+    console.out << finding.path;
+    if (finding.line) console.out << ':' << *finding.line;
+    console.out << ": " << kind << finding.reason;
+    if (!finding.remedy.empty()) console.out << " (" << finding.remedy << ')';
+    console.out << '\n';
   }
 }
 
@@ -58,6 +71,12 @@ std::string RowsText(const datasets::CheckedSet& checked) {
   return text;
 }
 
+// ", 2 notes"
+std::string NotesText(const datasets::CheckedSet& checked) {
+  const std::size_t count = checked.notes.size();
+  return count == 0 ? "" : fmt::format(", {} note{}", count, count == 1 ? "" : "s");
+}
+
 void RunDataCheck(const DataCheckOptions& options, const Console& console) {
   const datasets::StoredSet set = datasets::OpenSet(options.folder);
   ProgressBar bar(console);
@@ -66,7 +85,8 @@ void RunDataCheck(const DataCheckOptions& options, const Console& console) {
   if (options.json) {
     PrintJson(console, options.folder, checked);
   } else {
-    PrintFaults(console, checked.faults);
+    PrintFindings(console, "", checked.faults);
+    PrintFindings(console, "note: ", checked.notes);
   }
   if (!checked.faults.empty()) {
     throw Error({.path = options.folder,
@@ -78,7 +98,7 @@ void RunDataCheck(const DataCheckOptions& options, const Console& console) {
   }
   if (!options.json) {
     console.out << "OK: " << checked.num_images << " images and masks" << RowsText(checked)
-                << ", no fault\n";
+                << ", no fault" << NotesText(checked) << '\n';
   }
 }
 

@@ -31,6 +31,16 @@ struct DataImportOptions {
   bool json = false;
 };
 
+// Empty for a good one.
+std::string RuleAgainstPattern(const std::string& pattern) {
+  try {
+    datasets::ImportOptions{.instance_pattern = pattern}.Validate();
+  } catch (const Error& refusal) {
+    return "'" + pattern + "' given; it must be " + RuleOf(refusal);
+  }
+  return "";
+}
+
 void AddSharedOptions(CLI::App& command, DataImportOptions& options) {
   command.add_option("--out", options.out, "Folder to make; must not exist or be empty")
       ->type_name("DIR")
@@ -49,6 +59,7 @@ void AddSharedOptions(CLI::App& command, DataImportOptions& options) {
       .add_option("--instance-pattern",
                   options.import.instance_pattern,
                   "Regular expression; its first group in a picture's path is the instance")
+      ->check(CLI::Validator(RuleAgainstPattern, ""))
       ->type_name("REGEX");
   command.add_option("--licence", options.import.licence, "Written into the manifest")
       ->capture_default_str();

@@ -85,12 +85,14 @@ void RunDemonstrations(const DataSynthDemonstrationsOptions& options, const Cons
     for (const ClassReport& report : made.reports) classes.push_back(ReportToJson(report));
     console.Print({{"folder", options.out},
                    {"num_poses", made.set.items.size()},
+                   {"num_views_written", made.written.num_pictures},
                    {"fingerprint", datasets::Fingerprint(made.set)},
                    {"classes", classes}});
     return;
   }
   PrintReports(made.reports, console);
-  console.out << "Wrote " << made.set.items.size() << " poses to " << options.out << '\n';
+  console.out << TellWritten(
+      made.written, made.num_views, fmt::format("{} poses", made.set.items.size()), options.out);
 }
 
 }  // namespace
@@ -111,9 +113,10 @@ void AddDataSynthDemonstrations(CLI::App& parent, const Console& console) {
           ->capture_default_str();
   AddNumber(*command,
             "--poses",
-            options->set,
-            &DemonstrationOptions::poses_per_view,
-            "This many in each view instead; 0: as --size says")
+            options->set.poses_per_view,
+            IntegerWithin(1, synthetic::kMaxPosesPerView),
+            "This many in each view instead")
+      ->default_str("")
       ->excludes(size);
   AddNumber(*command,
             "--views",

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <cstddef>
 #include <memory>
 #include <ostream>
 #include <string>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "datasets/synthetic/grasp_point_set.h"
@@ -41,14 +43,17 @@ void RunGraspPoints(const DataSynthOptions& options, const Console& console) {
   ApplyCameraFile(options.camera, set_options.camera, set_options.baseline_m);
   ProgressBar bar(console);
   set_options.progress = bar.Callback();
-  const datasets::LabelledImageSet set = synthetic::MakeGraspPointSet(options.out, set_options);
+  const synthetic::MadeImages made = synthetic::MakeGraspPointSet(options.out, set_options);
+  const std::size_t num_images = made.set.items.size();
   bar.Clear();
   if (options.json) {
     console.Print({{"folder", options.out},
-                   {"num_images", set.items.size()},
-                   {"fingerprint", datasets::Fingerprint(set)}});
+                   {"num_images", num_images},
+                   {"num_images_written", made.written.num_pictures},
+                   {"fingerprint", datasets::Fingerprint(made.set)}});
   } else {
-    console.out << "Wrote " << set.items.size() << " images with masks to " << options.out << '\n';
+    console.out << TellWritten(
+        made.written, num_images, fmt::format("{} images with masks", num_images), options.out);
   }
 }
 
@@ -69,9 +74,10 @@ void AddDataSynthGraspPoints(CLI::App& parent, const Console& console) {
           ->capture_default_str();
   AddNumber(*command,
             "--images",
-            options->set,
-            &synthetic::GraspPointSetOptions::num_images,
-            "This many instead, spread over the classes; 0: as --size says")
+            options->set.num_images,
+            IntegerWithin(1, synthetic::kMaxImages),
+            "This many instead, spread over the classes")
+      ->default_str("")
       ->excludes(size);
   command
       ->add_option("--family",

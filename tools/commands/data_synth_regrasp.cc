@@ -5,6 +5,7 @@
 #include <ostream>
 #include <string>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "datasets/synthetic/regrasp_set.h"
@@ -42,14 +43,16 @@ void RunRegrasp(const DataSynthRegraspOptions& options, const Console& console) 
     console.Print({{"folder", options.out},
                    {"num_poses", made.demonstrations.items.size()},
                    {"num_holds", made.holds.items.size()},
+                   {"num_views_written", made.written.num_pictures},
                    {"fingerprint", datasets::Fingerprint(made.holds)},
                    {"pairs",
                     {{"valid", made.counts[HoldFault::kNone]},
                      {"near the table", made.counts[HoldFault::kNearTable]},
                      {"hands meet", made.counts[HoldFault::kHandsMeet]}}}});
   } else {
-    console.out << "Wrote " << made.demonstrations.items.size() << " poses and "
-                << made.holds.items.size() << " holds to " << options.out << '\n';
+    const std::string contents = fmt::format(
+        "{} poses and {} holds", made.demonstrations.items.size(), made.holds.items.size());
+    console.out << TellWritten(made.written, made.num_views, contents, options.out);
   }
 }
 

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <cstddef>
 #include <memory>
 #include <ostream>
 #include <string>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "datasets/synthetic/view_sets.h"
@@ -36,14 +38,17 @@ void RunViews(const DataSynthViewsOptions& options, const Console& console) {
   ApplyCameraFile(options.camera, set_options.camera, set_options.baseline_m);
   ProgressBar bar(console);
   set_options.progress = bar.Callback();
-  const datasets::ViewSet set = synthetic::MakeViewSet(options.out, set_options);
+  const synthetic::MadeViews made = synthetic::MakeViewSet(options.out, set_options);
+  const std::size_t num_views = made.set.items.size();
   bar.Clear();
   if (options.json) {
     console.Print({{"folder", options.out},
-                   {"num_views", set.items.size()},
-                   {"fingerprint", datasets::Fingerprint(set)}});
+                   {"num_views", num_views},
+                   {"num_views_written", made.written.num_pictures},
+                   {"fingerprint", datasets::Fingerprint(made.set)}});
   } else {
-    console.out << "Wrote " << set.items.size() << " views to " << options.out << '\n';
+    console.out << TellWritten(
+        made.written, num_views, fmt::format("{} views", num_views), options.out);
   }
 }
 

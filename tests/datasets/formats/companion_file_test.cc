@@ -11,6 +11,7 @@
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 #include "lib/perception/image_io.h"
+#include "tests/datasets/small_scene_file.h"
 #include "tests/datasets/small_view_set.h"
 #include "tests/support/expect_throws_message.h"
 #include "tests/support/temporary_directory.h"
@@ -29,7 +30,7 @@ class CheckCompanionTest : public ::testing::Test {
     perception::WritePng(folder_ / "mask.png", testing::HalfMask(8, 6));
     perception::WritePng16(folder_ / "depth.png", BasicImage<std::uint16_t>(8, 6));
     WritePcd(folder_ / "cloud.pcd", testing::FlatCloud(8, 6));
-    WriteFileAtomically(folder_ / "scene.toml", "class = 1\n");
+    WriteFileAtomically(folder_ / "scene.toml", testing::kSmallSceneFile);
   }
 
   void Refuses(std::string_view column, const std::string& name, const std::string& message) const {
@@ -62,6 +63,8 @@ TEST_F(CheckCompanionTest, RefusesWhatIsNotOfItsKind) {
   Refuses(kDepth, "mask.png", " at byte 24: a PNG of 8 bits a channel; 16 bits are due");
   WriteFileAtomically(folder_ / "scene.toml", "class = 1\nx\n");
   Refuses(kScene, "scene.toml", ":2: not TOML: ");
+  WriteFileAtomically(folder_ / "scene.toml", "");
+  Refuses(kScene, "scene.toml", ": the file is empty");
   WriteFileAtomically(folder_ / "cloud.pcd", "");
   Refuses(kCloud, "cloud.pcd", ":1: the PCD header ends before a line DATA");
   Refuses(kScene, "gone.toml", ": cannot open: No such file");

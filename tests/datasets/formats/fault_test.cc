@@ -25,12 +25,13 @@ using ::testing::IsEmpty;
 using ::testing::Pair;
 using testing::TemporaryDirectory;
 
-TEST(FaultOf, KeepsPlaceAndReason) {
+TEST(FaultOf, KeepsPlaceReasonAndRemedy) {
   const Fault fault = FaultOf(
       Error({.path = "/sets/a/views.csv", .line = 7, .reason = "wrong", .remedy = "r"}), "/sets/a");
   EXPECT_EQ(fault.path, "views.csv");
   EXPECT_EQ(fault.line, 7U);
   EXPECT_EQ(fault.reason, "wrong");
+  EXPECT_EQ(fault.remedy, "r");
   EXPECT_EQ(FaultOf(Error({.path = "/sets/a/b/c.png", .reason = "w"}), "/sets/a").path, "b/c.png");
   EXPECT_EQ(FaultOf(Error({.path = "/sets/a/c.png", .reason = "w"}), "/sets/a").line, std::nullopt);
 }

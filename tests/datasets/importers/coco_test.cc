@@ -188,5 +188,13 @@ TEST_F(ListCocoTest, RefusesATruncatedFile) {
   }
 }
 
+TEST_F(ListCocoTest, RefusesAPolygonOutsideItsPicture) {
+  const json polygons = {{0, 0, 2, 0, 2, 2}, {0, 9, 3, 9, 3, 12}};
+  EXPECT_THROWS_MESSAGE(MaskOfSecond(Annotation(polygons)),
+                        Error,
+                        HasSubstr("instances.json: at /annotations/1/segmentation/1: the shape "
+                                  "lies outside its picture of 6x4 pixels"));
+}
+
 }  // namespace
 }  // namespace handcraft::datasets

@@ -88,6 +88,8 @@ TEST_F(ListCoilTest, ReadsAnArrayOfPictures) {
   WriteNpyPictures(path, 100);
   EXPECT_THAT(RefusalOf([&] { return ListCoil(path, {}); }),
               HasSubstr("coil20.npy: 100 pictures; 72 of each object are due"));
+  WriteFileAtomically(path, "");
+  EXPECT_THAT(RefusalOf([&] { return ListCoil(path, {}); }), HasSubstr("coil20.npy at byte 0: "));
 }
 
 // Two objects of the real pictures: a duck and a block, which turn.

@@ -187,5 +187,12 @@ TEST_F(ListCvatShapesTest, RefusesAnotherFile) {
       ListCvatShapes(tree_ / "annotations.xml", {}), Error, HasSubstr("this is not XML"));
 }
 
+TEST_F(ListCvatShapesTest, RefusesAShapeOutsideItsPicture) {
+  EXPECT_THROWS_MESSAGE(
+      MaskOf("<box label=\"good\" xtl=\"-9\" ytl=\"1\" xbr=\"-3\" ybr=\"4\"/>"),
+      Error,
+      HasSubstr("annotations.xml: line 6, <box>: the shape lies outside its picture of 6x4"));
+}
+
 }  // namespace
 }  // namespace handcraft::datasets

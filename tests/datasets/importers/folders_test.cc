@@ -134,9 +134,10 @@ TEST(FoldersOptions, NamesTheFieldAtFault) {
   EXPECT_THROWS_MESSAGE((FoldersOptions{.good = {256}}.Validate(), 0),
                         Error,
                         HasSubstr("FoldersOptions.good is 256; it must be from 0 to 255"));
-  EXPECT_THROWS_MESSAGE((FoldersOptions{.good = {1}, .dont_care = {1}}.Validate(), 0),
-                        Error,
-                        HasSubstr("FoldersOptions.dont_care is 1; it must be none of the good"));
+  EXPECT_THROWS_MESSAGE(
+      (FoldersOptions{.good = {1}, .dont_care = {1}}.Validate(), 0),
+      Error,
+      HasSubstr("the value 1 has two roles; it must be one of good and don't care"));
 }
 
 }  // namespace

@@ -151,5 +151,19 @@ TEST(GraspMaskOptions, NamesTheFieldAtFault) {
                         HasSubstr("GraspMaskOptions.dont_care_margin_px is -1"));
 }
 
+TEST(RequireWithinPicture, NamesTheRectangleThatReachesNoPixel) {
+  const auto box = [](double left, double top) {
+    return GraspRectangle{{{left, top}, {left + 10, top}, {left + 10, top + 4}, {left, top + 4}}};
+  };
+  RequireWithinPicture("a.txt", {}, 20, 10);
+  RequireWithinPicture("a.txt", {box(-9, -3), box(19, 9)}, 20, 10);
+  for (const GraspRectangle& outside : {box(-11, 0), box(0, -5), box(21, 0), box(0, 11)}) {
+    EXPECT_THROWS_MESSAGE(
+        (RequireWithinPicture("a.txt", {box(0, 0), outside}, 20, 10), 0),
+        Error,
+        ::testing::HasSubstr("a.txt: rectangle 2 lies outside its picture of 20x10 pixels"));
+  }
+}
+
 }  // namespace
 }  // namespace handcraft::datasets

@@ -8,20 +8,23 @@
 #include <stdexcept>
 #include <string>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <opencv2/imgproc.hpp>
 
 #include "datasets/formats/labelled_image_set.h"
+#include "lib/core/error.h"
 #include "lib/core/rng.h"
+#include "tests/support/expect_throws_message.h"
 
 namespace handcraft::datasets {
 namespace {
 
+using ::testing::HasSubstr;
 using Letters = std::vector<std::string>;
 
 // One letter a pixel: G good, . bad, - don't care.
 Letters Draw(int width, int height, const std::vector<LabelledShape>& shapes) {
-  const Image mask = DrawLabelledShapes(width, height, shapes);
+  const Image mask = DrawLabelledShapes("shapes.json", width, height, shapes);
   Letters rows;
   for (int v = 0; v < height; ++v) {
     rows.emplace_back();
@@ -30,6 +33,15 @@ Letters Draw(int width, int height, const std::vector<LabelledShape>& shapes) {
     }
   }
   return rows;
+}
+
+// What is good; nothing where the shape is refused.
+Image DrawnOrNothing(int width, int height, const ShapeGeometry& geometry) {
+  try {
+    return DrawLabelledShapes("shapes.json", width, height, {{geometry, kMaskGood}});
+  } catch (const Error&) {
+    return {width, height, 1, kMaskBad};
+  }
 }
 
 Polygon Box(double left, double top, double right, double bottom) {
@@ -64,8 +76,9 @@ TEST(DrawLabelledShapes, DrawsRunsDownTheColumns) {
   EXPECT_EQ(Draw(3, 2, {{PixelRuns{1, 3, 2}, kMaskGood}}), (Letters{".G.", "GG."}));
   EXPECT_EQ(Draw(3, 2, {{PixelRuns{0, 1, 4, 1}, kMaskGood}}), (Letters{"G..", "..G"}));
   EXPECT_EQ(Draw(3, 2, {{PixelRuns{6}, kMaskGood}}), (Letters{"...", "..."}));
-  EXPECT_THROW(static_cast<void>(DrawLabelledShapes(3, 2, {{PixelRuns{1, 4}, kMaskGood}})),
-               std::logic_error);
+  EXPECT_THROW(
+      static_cast<void>(DrawLabelledShapes("shapes.json", 3, 2, {{PixelRuns{1, 4}, kMaskGood}})),
+      std::logic_error);
 }
 
 // Oracle: OpenCV's test of a point, for each pixel. Corners are eighths, so that single precision
@@ -88,7 +101,7 @@ TEST(DrawLabelledShapes, AgreesWithPointPolygonTest) {
       y = static_cast<double>(rng.UniformInt(40 * 4)) / 4 - 10 + 0.125;
       contour.emplace_back(static_cast<float>(x), static_cast<float>(y));
     }
-    const Image mask = DrawLabelledShapes(25, 20, {{polygon, kMaskGood}});
+    const Image mask = DrawnOrNothing(25, 20, polygon);
     for (int v = 0; v < 20; ++v) {
       for (int u = 0; u < 25; ++u) {
         const cv::Point2f middle(static_cast<float>(u) + 0.5F, static_cast<float>(v) + 0.5F);
@@ -105,7 +118,7 @@ TEST(DrawLabelledShapes, AgreesWithTheDistanceFromACentre) {
   Rng rng(12);
   for (int round = 0; round < 50; ++round) {
     const Circle circle{{40 * rng.Uniform() - 10, 30 * rng.Uniform() - 5}, 12 * rng.Uniform()};
-    const Image mask = DrawLabelledShapes(25, 20, {{circle, kMaskGood}});
+    const Image mask = DrawnOrNothing(25, 20, circle);
     for (int v = 0; v < 20; ++v) {
       for (int u = 0; u < 25; ++u) {
         const double distance = std::hypot(u + 0.5 - circle.centre[0], v + 0.5 - circle.centre[1]);
@@ -126,22 +139,39 @@ TEST(DrawLabelledShapes, AgreesWithRunsWrittenOut) {
       pixels.insert(pixels.end(), run, runs.size() % 2 == 0 ? kMaskBad : kMaskDontCare);
       runs.push_back(static_cast<std::uint32_t>(run));
     }
-    const Image mask = DrawLabelledShapes(7, 9, {{runs, kMaskDontCare}});
+    const Image mask = DrawLabelledShapes("shapes.json", 7, 9, {{runs, kMaskDontCare}});
     for (int i = 0; i < 7 * 9; ++i) {
       EXPECT_EQ(mask.At(i / 9, i % 9), pixels[static_cast<std::size_t>(i)]);
     }
   }
 }
 
-TEST(DrawLabelledShapes, TakesShapesWithoutAreaAndOutsideThePicture) {
+TEST(DrawLabelledShapes, TakesShapesWithoutAreaAndLargerThanThePicture) {
   const double far = kFarthest_px;
   EXPECT_EQ(Draw(2, 1, {{Polygon{}, kMaskGood}}), (Letters{".."}));
   EXPECT_EQ(Draw(2, 1, {{Polygon{{0.5, 0.5}, {1.5, 0.5}, {0.5, 0.5}}, kMaskGood}}),
             (Letters{".."}));
   EXPECT_EQ(Draw(2, 1, {{Circle{{0.5, 0.5}, 0.0}, kMaskGood}}), (Letters{".."}));
   EXPECT_EQ(Draw(2, 1, {{Box(-far, -far, far, far), kMaskGood}}), (Letters{"GG"}));
-  EXPECT_EQ(Draw(2, 1, {{Box(-far, -far, -far / 2, far), kMaskGood}}), (Letters{".."}));
-  EXPECT_EQ(Draw(2, 1, {{Circle{{far, far}, 3.0}, kMaskGood}}), (Letters{".."}));
+  // Less than a pixel beyond the edge, as rounding may bring it.
+  EXPECT_EQ(Draw(2, 1, {{Box(2.0, 0, 2.9, 1), kMaskGood}}), (Letters{".."}));
+}
+
+TEST(DrawLabelledShapes, RefusesShapesOutsideThePicture) {
+  const double far = kFarthest_px;
+  const auto refuses = [](const ShapeGeometry& geometry) {
+    EXPECT_THROWS_MESSAGE(
+        Draw(2, 1, {{Box(0, 0, 1, 1), kMaskGood}, {geometry, kMaskDontCare, "at /shapes/7"}}),
+        Error,
+        HasSubstr("shapes.json: at /shapes/7: the shape lies outside its picture of 2x1 pixels "
+                  "(draw it where"));
+  };
+  refuses(Box(-far, -far, -far / 2, far));
+  refuses(Box(0, 3, 2, 5));
+  refuses(Box(0, -5, 2, -3));
+  refuses(Polygon{{3, -3}, {9, 3}, {9, -3}});
+  refuses(Circle{{far, far}, 3.0});
+  refuses(Circle{{-5, 0.5}, 4.0});
 }
 
 }  // namespace

@@ -192,5 +192,18 @@ TEST_F(ListLabelmeTest, TakesATurnedJpegAndRefusesSixteenBit) {
                         AllOf(HasSubstr("deep.png"), HasSubstr("16")));
 }
 
+TEST_F(ListLabelmeTest, RefusesAShapeOutsideItsPicture) {
+  json annotation = Annotation("a.png");
+  annotation["shapes"].push_back(annotation["shapes"][0]);
+  annotation["shapes"][1]["points"] = {{30, 10}, {40, 20}};
+  Write("a.json", annotation);
+  WriteImage("a.png", 6, 4);
+  EXPECT_THROWS_MESSAGE(
+      ImportPictures(ListLabelme(tree_, {}), out_, {}),
+      Error,
+      HasSubstr("a.json: at /shapes/1: the shape lies outside its picture of 6x4 pixels"));
+  EXPECT_FALSE(fs::exists(out_));
+}
+
 }  // namespace
 }  // namespace handcraft::datasets

@@ -28,7 +28,23 @@ TEST(ListFiles, GoesAsDeepAsAsked) {
   EXPECT_THAT(ListFiles(folder.path(), 2),
               ElementsAre(folder / "a", folder / "b/c/x", folder / "b/m", folder / "z"));
   EXPECT_THROWS_MESSAGE(ListFiles(folder / "no", 0), Error, HasSubstr("cannot read the folder"));
-  EXPECT_THROWS_MESSAGE(ListFiles(folder / "a", 0), Error, HasSubstr("cannot read the folder"));
+  EXPECT_THROWS_MESSAGE(
+      ListFiles(folder / "a", 0),
+      Error,
+      HasSubstr("a: is a file; a folder is due (give the folder that it lies in)"));
+}
+
+TEST(ListFiles, FollowsLinksAndNamesThoseThatLeadNowhere) {
+  const TemporaryDirectory folder;
+  fs::create_directory(folder / "b");
+  WriteFileAtomically(folder / "a", "");
+  fs::create_symlink(folder / "a", folder / "b/link");
+  EXPECT_THAT(ListFiles(folder.path(), 1), ElementsAre(folder / "a", folder / "b/link"));
+  fs::remove(folder / "a");
+  EXPECT_THROWS_MESSAGE(
+      ListFiles(folder.path(), 1),
+      Error,
+      HasSubstr("b/link: is a symbolic link to " + (folder / "a").string() + ", where nothing is"));
 }
 
 TEST(IsNamedLikeAPicture, LooksAtTheExtension) {

@@ -67,12 +67,19 @@ TEST_F(CameraFileTest, RefusesValuesOfNoCamera) {
   ExpectRefused("[camera]\nwidth_px = 320.0\n", "camera.toml:2: width_px is no whole number");
   ExpectRefused("[camera]\nwidth_px = '320'\n", "camera.toml:2: width_px is no whole number");
   ExpectRefused(good_ + "baseline_m = 'wide'\n", "camera.toml:7: baseline_m is no number");
-  ExpectRefused(good_ + "baseline_m = -1\n", "camera.toml:1: baseline_m is -1; it must be in (0");
+  ExpectRefused(good_ + "baseline_m = -1\n", "camera.toml:7: baseline_m is -1; it must be in (0");
   ExpectRefused(good_ + "baseline_m = nan\n", "baseline_m is nan");
   ExpectRefused(good_ + "fx = 3\n", "camera.toml:7: 'fx' in [camera] (there are width_px");
   std::string huge = good_;
   huge.replace(huge.find("320"), 3, "9223372036854775807");
-  ExpectRefused(huge, "camera.toml:1: PinholeCamera.width_px is 2147483647; it must be from 16");
+  ExpectRefused(good_ + "baseline_m = 1.5\n[lens]\n", "camera.toml:7: baseline_m is 1.5; it must");
+  std::string wide = good_;
+  wide.replace(wide.find("262.5"), 5, "0.5");
+  ExpectRefused(wide, "camera.toml:4: focal_px is 0.5; it must be 1 or more, up to ten times");
+  std::string far = good_;
+  far.replace(far.find("119.5"), 5, "-1e9");
+  ExpectRefused(far, "camera.toml:6: centre_v_px is -1");
+  ExpectRefused(huge, "camera.toml:2: width_px is 2147483647; it must be from 16");
 }
 
 }  // namespace

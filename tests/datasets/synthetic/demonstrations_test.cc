@@ -149,6 +149,13 @@ TEST_F(SmallDemonstrations, AreTheSameBytesForAnyNumberOfThreadsAndAfterAStop) {
   static_cast<void>(MakeDemonstrations(*folder_ / "two", options));
   EXPECT_TRUE(ReadTree(*folder_ / "two") == whole);
   EXPECT_EQ(fs::last_write_time(*folder_ / "two/images/drill_0000_00.png"), kept);
+  EXPECT_TRUE(MakeDemonstrations(*folder_ / "two", options).written.IsNothing());
+  fs::remove(*folder_ / "two/clouds/drill_0000_01.pcd");
+  fs::resize_file(*folder_ / "two/demonstrations.csv", 500);
+  const Written written = MakeDemonstrations(*folder_ / "two", options).written;
+  EXPECT_EQ(written.num_pictures, 1U);
+  EXPECT_EQ(written.num_lists, 1U);
+  EXPECT_TRUE(ReadTree(*folder_ / "two") == whole);
 }
 
 TEST_F(SmallDemonstrations, AreNotMadeByAHandThatIsTooSmall) {

@@ -31,12 +31,12 @@ const PinholeCamera kSmallCamera = SmallCamera();
 
 TEST(MakeGraspPointSet, MakesASoundSet) {
   const TemporaryDirectory folder;
-  const datasets::LabelledImageSet made = MakeGraspPointSet(
+  const MadeImages made = MakeGraspPointSet(
       folder / "set", {.num_images = 3, .camera = kSmallCamera, .num_threads = 2});
   const datasets::LabelledImageSet set = datasets::ReadLabelledImageSet(folder / "set");
   ASSERT_EQ(set.items.size(), 3U);
   EXPECT_THAT(datasets::FindFaults(set), IsEmpty());
-  EXPECT_EQ(datasets::Fingerprint(set), datasets::Fingerprint(made));
+  EXPECT_EQ(datasets::Fingerprint(set), datasets::Fingerprint(made.set));
   std::set<std::string> classes;
   for (const datasets::LabelledImage& item : set.items) classes.insert(item.object_class);
   EXPECT_EQ(classes.size(), 3U);
@@ -45,7 +45,7 @@ TEST(MakeGraspPointSet, MakesASoundSet) {
 TEST(MakeGraspPointSet, LabelsOnlyTheObjectsAndKnowsTheirDepth) {
   const TemporaryDirectory folder;
   const datasets::LabelledImageSet set =
-      MakeGraspPointSet(folder / "set", {.num_images = 1, .camera = kSmallCamera});
+      MakeGraspPointSet(folder / "set", {.num_images = 1, .camera = kSmallCamera}).set;
   const cv::Mat depth =
       cv::imread((folder / "set/depth/cereal_bowl_0000_0.png").string(), cv::IMREAD_UNCHANGED);
   const cv::Mat object = cv::imread((folder / "set/object_masks/cereal_bowl_0000_0.png").string(),
@@ -89,6 +89,38 @@ TEST(MakeGraspPointSet, GoesOnWhereItWasStopped) {
   EXPECT_EQ(fs::last_write_time(folder / "stopped/images/cereal_bowl_0000_0.png"), kept);
 }
 
+TEST(MakeGraspPointSet, MakesAPictureAgainOfWhichAnyFileIsNotWhole) {
+  const TemporaryDirectory folder;
+  const GraspPointSetOptions options{.num_images = 2, .with_right = true, .camera = kSmallCamera};
+  EXPECT_EQ(MakeGraspPointSet(folder / "set", options).written.num_pictures, 2U);
+  const auto whole = ReadTree(folder / "set");
+  const auto repairs = [&](std::size_t num_pictures) {
+    const Written written = MakeGraspPointSet(folder / "set", options).written;
+    EXPECT_EQ(written.num_pictures, num_pictures);
+    EXPECT_EQ(written.num_lists, 0U);
+    EXPECT_TRUE(ReadTree(folder / "set") == whole);
+  };
+  fs::remove(folder / "set/masks/eraser_0000_0.png");
+  WriteFileAtomically(folder / "set/object_masks/cereal_bowl_0000_0.png", "");
+  repairs(2);
+  fs::resize_file(folder / "set/images/eraser_0000_0_right.png", 1000);
+  repairs(1);
+}
+
+TEST(MakeGraspPointSet, WritesNothingIntoAFinishedSet) {
+  const TemporaryDirectory folder;
+  const GraspPointSetOptions options{.num_images = 2, .camera = kSmallCamera};
+  MadeImages made = MakeGraspPointSet(folder / "set", options);
+  EXPECT_EQ(made.written.num_lists, 1U);
+  made.set.items[0].split = "held_out";  // as handcraft data split may leave it
+  datasets::WriteManifest(made.set);
+  const auto whole = ReadTree(folder / "set");
+  const MadeImages again = MakeGraspPointSet(folder / "set", options);
+  EXPECT_TRUE(again.written.IsNothing());
+  EXPECT_EQ(again.set.items, made.set.items) << "its splits are kept";
+  EXPECT_TRUE(ReadTree(folder / "set") == whole);
+}
+
 TEST(MakeGraspPointSet, RefusesToGoOnWithOtherOptions) {
   const TemporaryDirectory folder;
   MakeGraspPointSet(folder / "set", {.num_images = 1, .camera = kSmallCamera});
@@ -122,7 +154,7 @@ TEST(MakeGraspPointSet, TakesEveryThirdInstanceFromTheMeshes) {
                                      .num_images = 45,
                                      .meshes = folder / "meshes",
                                      .camera = kSmallCamera};
-  const datasets::LabelledImageSet set = MakeGraspPointSet(folder / "set", options);
+  const datasets::LabelledImageSet set = MakeGraspPointSet(folder / "set", options).set;
   std::map<std::string, std::string> licences;
   std::map<std::string, std::string> splits;
   for (const datasets::LabelledImage& item : set.items) {

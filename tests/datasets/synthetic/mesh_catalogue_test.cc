@@ -100,6 +100,10 @@ TEST(ReadMeshCatalogue, RefusesAFolderWithoutMeshesToml) {
   EXPECT_THROWS_MESSAGE((void)ReadMeshCatalogue(folder.path()),
                         Error,
                         HasSubstr("holds no meshes.toml, which says what its meshes are"));
+  WriteFileAtomically(folder / "a.obj", "");
+  EXPECT_THROWS_MESSAGE((void)ReadMeshCatalogue(folder / "a.obj"),
+                        Error,
+                        HasSubstr("a.obj: is a file; a folder with a meshes.toml is due"));
 }
 
 TEST_F(ReadMeshCatalogueTest, DrawsObjectsOfThatShape) {

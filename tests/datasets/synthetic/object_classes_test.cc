@@ -3,8 +3,11 @@
 
 #include "datasets/synthetic/object_classes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <set>
 
@@ -94,6 +97,81 @@ TEST(ClassesOf, ShareNoBuilderBetweenWhatIsLearntAndWhatIsTested) {
     EXPECT_FALSE(trained.contains(kind.draw)) << kind.name;
     EXPECT_FALSE(taught.contains(kind.draw)) << kind.name;
   }
+}
+
+// What can be measured on an object however it lies: its three sides, least first, how much of
+// their box's surface it has, and how round its top is.
+using Measures = std::array<float, 5>;
+
+Measures MeasuresOf(const Mesh& mesh) {
+  const Eigen::AlignedBox3f bounds = Bounds(mesh);
+  Eigen::Vector3f sides_m = bounds.sizes();
+  std::sort(sides_m.begin(), sides_m.end());
+  float surface_m2 = 0.0F;
+  for (const Face& face : mesh.faces) {
+    const Eigen::Vector3f& a = mesh.vertices[face.vertices[0]];
+    surface_m2 +=
+        0.5F *
+        (mesh.vertices[face.vertices[1]] - a).cross(mesh.vertices[face.vertices[2]] - a).norm();
+  }
+  Eigen::AlignedBox3f top;
+  const float below_top_m = bounds.max().z() - 0.05F * bounds.sizes().z();
+  for (const Eigen::Vector3f& at : mesh.vertices) {
+    if (at.z() >= below_top_m) top.extend(at);
+  }
+  const float box_m2 =
+      2.0F * (sides_m.x() * sides_m.y() + sides_m.y() * sides_m.z() + sides_m.z() * sides_m.x());
+  const Eigen::Vector2f top_m = top.sizes().head<2>();
+  return {sides_m.x(),
+          sides_m.y(),
+          sides_m.z(),
+          surface_m2 / box_m2,
+          top_m.minCoeff() / top_m.maxCoeff()};
+}
+
+// Least and greatest of each over many objects.
+std::array<Measures, 2> RangesOf(const ObjectClass& kind) {
+  std::array<Measures, 2> ranges;
+  for (std::uint64_t i = 0; i < 60; ++i) {
+    Rng rng = Rng::Stream(5, "object", i);
+    const Measures measures = MeasuresOf(kind.draw(rng).mesh);
+    for (std::size_t m = 0; m < measures.size(); ++m) {
+      ranges[0].at(m) = i == 0 ? measures.at(m) : std::min(ranges[0].at(m), measures.at(m));
+      ranges[1].at(m) = i == 0 ? measures.at(m) : std::max(ranges[1].at(m), measures.at(m));
+    }
+  }
+  return ranges;
+}
+
+// The greatest gap between the ranges of a measure, as a share of the greater; 0: all overlap.
+float Gap(const ObjectClass& one, const ObjectClass& other) {
+  const auto a = RangesOf(one);
+  const auto b = RangesOf(other);
+  float gap = 0.0F;
+  for (std::size_t m = 0; m < a[0].size(); ++m) {
+    gap = std::max({gap, 1.0F - a[1].at(m) / b[0].at(m), 1.0F - b[1].at(m) / a[0].at(m)});
+  }
+  return gap;
+}
+
+TEST(ClassesOf, TellNovelObjectsFromTrainedOnesByTheirShape) {
+  for (const ObjectClass& novel : ClassesOf(Family::kNovel)) {
+    for (const ObjectClass& trained : ClassesOf(Family::kTrained)) {
+      if (trained.num_objects > 1) continue;  // of the class of one
+      EXPECT_GT(Gap(novel, trained), 0.01F) << novel.name << " and " << trained.name;
+    }
+  }
+}
+
+TEST(ClassesOf, TellTheTwoShampooBottlesApart) {
+  const auto bottle_of = [](Family family) {
+    const auto classes = ClassesOf(family);
+    return *std::find_if(classes.begin(), classes.end(), [](const ObjectClass& kind) {
+      return kind.name == "shampoo_bottle";
+    });
+  };
+  EXPECT_GT(Gap(bottle_of(Family::kNovel), bottle_of(Family::kUntaught)), 0.1F)
+      << "the caps: round, and as flat as the bottle";
 }
 
 TEST(ClassesOf, AreAsSymmetricAsTheySay) {

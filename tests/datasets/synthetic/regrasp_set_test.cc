@@ -107,6 +107,13 @@ TEST_F(SmallRegrasps, AreTheSameBytesForAnyNumberOfThreadsAndAfterAStop) {
   fs::remove(*folder_ / "two/scenes/drill_0000_00.toml");
   static_cast<void>(MakeRegraspSet(*folder_ / "two", options));
   EXPECT_TRUE(ReadTree(*folder_ / "two") == whole);
+  WriteFileAtomically(*folder_ / "two/depth/drill_0000_00.png", "");
+  fs::remove(*folder_ / "two/demonstrations.csv");
+  const Written written = MakeRegraspSet(*folder_ / "two", options).written;
+  EXPECT_EQ(written.num_pictures, 1U);
+  EXPECT_EQ(written.num_lists, 1U);
+  EXPECT_TRUE(ReadTree(*folder_ / "two") == whole);
+  EXPECT_TRUE(MakeRegraspSet(*folder_ / "two", options).written.IsNothing());
 }
 
 TEST_F(SmallRegrasps, BeginALargerSet) {

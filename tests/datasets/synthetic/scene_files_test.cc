@@ -3,7 +3,11 @@
 
 #include "datasets/synthetic/scene_files.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <opencv2/core.hpp>
@@ -11,9 +15,11 @@
 
 #include "lib/core/error.h"
 #include "lib/core/file.h"
+#include "lib/core/sha256.h"
 #include "lib/perception/image_io.h"
 #include "tests/datasets/synthetic/small_scene.h"
 #include "tests/support/expect_throws_message.h"
+#include "tests/support/read_tree.h"
 #include "tests/support/temporary_directory.h"
 
 namespace handcraft::synthetic {
@@ -29,13 +35,87 @@ TEST(WriteSceneFiles, WritesWhatThereIsAndTheSceneLast) {
   for (const char* name : {"images", "object_masks", "scenes"}) fs::create_directory(folder / name);
   const SceneFiles files{
       .image = Image(3, 2, 3, 7), .object_mask = Image(3, 2, 1, 255), .scene = "x"};
-  EXPECT_FALSE(IsWritten(folder.path(), "mug"));
+  EXPECT_FALSE(IsWhole(folder.path(), "mug"));
   WriteSceneFiles(folder.path(), "mug", files);
-  EXPECT_TRUE(IsWritten(folder.path(), "mug"));
+  EXPECT_TRUE(IsWhole(folder.path(), "mug"));
   EXPECT_EQ(perception::ReadImage(folder / "images/mug.png").values(), files.image.values());
   EXPECT_EQ(perception::ReadImage(folder / "object_masks/mug.png").At(2, 1), 255);
   EXPECT_FALSE(fs::exists(folder / "images/mug_right.png"));
-  EXPECT_EQ(ReadTextFile(folder / "scenes/mug.toml"), "x");
+  // sha256 of "images/mug.png \0 … \n object_masks/mug.png \0 … \n x", from the files' own digests.
+  std::string parts;
+  for (const std::string path : {"images/mug.png", "object_masks/mug.png"}) {
+    parts.append(path).push_back('\0');
+    parts.append(Sha256Hex(ReadFile(folder / path))).push_back('\n');
+  }
+  Sha256 digest;
+  digest.Update(parts + "x");
+  EXPECT_EQ(ReadTextFile(folder / "scenes/mug.toml"),
+            "x\n[files]\nsha256 = \"" + digest.HexDigest() + "\"\n");
+}
+
+// A scene of every kind of file, in folders of its own.
+class WholeScene : public ::testing::Test {
+ protected:
+  WholeScene() {
+    for (const char* name : {"images", "masks", "object_masks", "clouds", "depth", "scenes"}) {
+      fs::create_directory(folder_ / name);
+    }
+    files_ = {.image = Image(3, 2, 3, 7),
+              .right_image = Image(3, 2, 3, 8),
+              .mask = Image(3, 2, 1, 128),
+              .object_mask = Image(3, 2, 1, 255),
+              .cloud = {.width = 1, .height = 1, .points = {Eigen::Vector3f::Ones()}},
+              .depth = FloatImage(3, 2),
+              .scene = "class = \"mug\"\n\n[[objects]]\n"};
+  }
+
+  TemporaryDirectory folder_;
+  SceneFiles files_;
+};
+
+TEST_F(WholeScene, IsMadeOnce) {
+  int num_made = 0;
+  const auto make = [&] {
+    ++num_made;
+    return files_;
+  };
+  EXPECT_TRUE(WriteUnlessWhole(folder_.path(), "mug", make));
+  EXPECT_FALSE(WriteUnlessWhole(folder_.path(), "mug", make));
+  EXPECT_EQ(num_made, 1);
+}
+
+TEST_F(WholeScene, IsWholeNoMoreWhenAnyFileIsGoneOrEmptyOrCutOrChanged) {
+  WriteSceneFiles(folder_.path(), "mug", files_);
+  const auto whole = handcraft::testing::ReadTree(folder_.path());
+  ASSERT_EQ(whole.size(), 7U);
+  for (const auto& file : whole) {
+    const fs::path path = folder_ / file.first;
+    const std::vector<std::uint8_t>& bytes = file.second;
+    fs::remove(path);
+    EXPECT_FALSE(IsWhole(folder_.path(), "mug")) << file.first << " is gone";
+    for (const std::size_t size : {std::size_t{0}, std::size_t{1}, bytes.size() - 1}) {
+      WriteFileAtomically(path, std::span(bytes).first(size));
+      EXPECT_FALSE(IsWhole(folder_.path(), "mug")) << file.first << " is cut to " << size;
+    }
+    std::vector<std::uint8_t> changed = bytes;
+    changed[bytes.size() / 2] ^= 1U;
+    WriteFileAtomically(path, changed);
+    EXPECT_FALSE(IsWhole(folder_.path(), "mug")) << file.first << " is changed";
+    WriteFileAtomically(path, bytes);
+    EXPECT_TRUE(IsWhole(folder_.path(), "mug"));
+  }
+}
+
+TEST_F(WholeScene, IsNotThatOfAnOlderVersionWithoutADigest) {
+  WriteSceneFiles(folder_.path(), "mug", files_);
+  WriteFileAtomically(folder_ / "scenes/mug.toml", files_.scene);
+  EXPECT_FALSE(IsWhole(folder_.path(), "mug"));
+}
+
+TEST(CountWritten, CountsWhatWasWritten) {
+  for (const int num_threads : {1, 3}) {
+    EXPECT_EQ(CountWritten(10, num_threads, {}, "", [](std::size_t i) { return i % 3 == 0; }), 4U);
+  }
 }
 
 TEST(WriteSceneFiles, LeavesASceneUnwrittenWhenAPictureCannotBe) {
@@ -45,7 +125,7 @@ TEST(WriteSceneFiles, LeavesASceneUnwrittenWhenAPictureCannotBe) {
       WriteSceneFiles(folder.path(), "mug", {.image = Image(3, 2, 3), .scene = "x"}),
       Error,
       HasSubstr("images"));
-  EXPECT_FALSE(IsWritten(folder.path(), "mug"));
+  EXPECT_FALSE(IsWhole(folder.path(), "mug"));
 }
 
 TEST(WriteSceneFiles, WritesDepthInMillimetres) {

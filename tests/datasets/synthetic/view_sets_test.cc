@@ -39,7 +39,7 @@ TEST(MakeViewSet, MakesASoundTurntable) {
   ViewSetOptions options = FastOptions();
   options.num_views = 2;
   options.num_threads = 2;
-  const datasets::ViewSet made = MakeViewSet(folder / "set", options);
+  const datasets::ViewSet made = MakeViewSet(folder / "set", options).set;
   const datasets::ViewSet set = datasets::ReadViewSet(folder / "set");
   ASSERT_EQ(set.items.size(), 8U);
   EXPECT_THAT(datasets::FindFaults(set), IsEmpty());
@@ -62,7 +62,7 @@ TEST(MakeViewSet, PutsTheObjectWhereItsPoseSays) {
   const TemporaryDirectory folder;
   ViewSetOptions options = FastOptions();
   options.num_views = 2;
-  const datasets::ViewSet set = MakeViewSet(folder / "set", options);
+  const datasets::ViewSet set = MakeViewSet(folder / "set", options).set;
   for (std::size_t i = 2; i < 4; ++i) {
     const datasets::LoadedView view = datasets::ReadView(set, i);
     const Mesh mesh = DrawInstance(ClassesOf(Family::kRegrasp)[1], 1, 0).mesh;
@@ -82,7 +82,7 @@ TEST(MakeViewSet, MovesTheSameObjects) {
   const TemporaryDirectory folder;
   ViewSetOptions options = FastOptions();
   options.kind = ViewSetKind::kMoved;
-  const datasets::ViewSet set = MakeViewSet(folder / "set", options);
+  const datasets::ViewSet set = MakeViewSet(folder / "set", options).set;
   EXPECT_THAT(datasets::FindFaults(set), IsEmpty());
   EXPECT_NE(set.items[0].angle_deg, set.items[1].angle_deg);
   EXPECT_EQ(set.items[0].split, "test");
@@ -95,7 +95,7 @@ TEST(MakeViewSet, CallsTheTurntableOfTheTaughtFamilyTraining) {
   const TemporaryDirectory folder;
   ViewSetOptions options = FastOptions();
   options.family = Family::kTaught;
-  EXPECT_EQ(MakeViewSet(folder / "set", options).items[0].split, "train");
+  EXPECT_EQ(MakeViewSet(folder / "set", options).set.items[0].split, "train");
 }
 
 TEST(MakeViewSet, GivesTheSameBytesForAnyNumberOfThreads) {
@@ -122,6 +122,21 @@ TEST(MakeViewSet, GoesOnWhereItWasStopped) {
   MakeViewSet(folder / "stopped", options);
   EXPECT_TRUE(ReadTree(folder / "stopped") == ReadTree(folder / "whole"));
   EXPECT_EQ(fs::last_write_time(folder / "stopped/clouds/coffee_can_0000_00.pcd"), kept);
+}
+
+TEST(MakeViewSet, MakesAViewAgainOfWhichAnyFileIsNotWhole) {
+  const TemporaryDirectory folder;
+  const ViewSetOptions options = FastOptions();
+  MakeViewSet(folder / "set", options);
+  const auto whole = ReadTree(folder / "set");
+  EXPECT_TRUE(MakeViewSet(folder / "set", options).written.IsNothing());
+  fs::remove(folder / "set/object_masks/drill_0000_00.png");
+  fs::resize_file(folder / "set/clouds/coffee_can_0000_00.pcd", 1000);
+  WriteFileAtomically(folder / "set/views.csv", "");
+  const Written written = MakeViewSet(folder / "set", options).written;
+  EXPECT_EQ(written.num_pictures, 2U);
+  EXPECT_EQ(written.num_lists, 1U);
+  EXPECT_TRUE(ReadTree(folder / "set") == whole);
 }
 
 TEST(MakeViewSet, RefusesToGoOnWithOtherOptions) {

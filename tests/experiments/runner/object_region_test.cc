@@ -33,7 +33,8 @@ class ObjectRegionTest : public ::testing::Test {
                                                .height_px = 240,
                                                .focal_px = 262.5F,
                                                .centre_u_px = 159.5F,
-                                               .centre_v_px = 119.5F}});
+                                               .centre_v_px = 119.5F}})
+          .set;
 };
 
 TEST_F(ObjectRegionTest, LiesMostlyOnTheObject) {

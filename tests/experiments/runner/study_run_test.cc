@@ -152,7 +152,8 @@ TEST_F(RunStudyTest, TellsTheStagesOfTheSearchSpace) {
                                                             .height_px = 120,
                                                             .focal_px = 131.25F,
                                                             .centre_u_px = 79.5F,
-                                                            .centre_v_px = 59.5F}});
+                                                            .centre_v_px = 59.5F}})
+                       .set;
   study_.train = {.folder = set.root.string()};
   study_.split = StudySplit::kPicture;
   study_.methods[1].settings.push_back({"region", "object"});

@@ -58,6 +58,30 @@ TEST(ReadImage, TurnsAPaletteIntoColours) {
   EXPECT_THAT(image.values(), ElementsAre(60, 50, 40, 30, 20, 10));
 }
 
+TEST(ReadImage, TakesAPaletteOfGraysForGray) {
+  const ByteVector grays = {0, 0, 0, 128, 128, 128, 255, 255, 255, 9, 8, 7};
+  const auto picture = [&](std::uint8_t last) {
+    return PngBuilder(3, 1, 8, 3).Chunk("PLTE", grays).Pixels({0, 2, 1, last}).End();
+  };
+  const Image gray = ReadBytes(picture(0), Channels::kGray);
+  EXPECT_EQ(gray.channels(), 1);
+  EXPECT_THAT(gray.values(), ElementsAre(255, 128, 0));
+  EXPECT_EQ(ReadBytes(picture(0)).channels(), 3);
+  EXPECT_THROWS_MESSAGE(ReadBytes(picture(3), Channels::kGray),
+                        Error,
+                        HasSubstr("a palette of colours where a gray one is due (save it as gray "
+                                  "values, without a palette)"));
+}
+
+TEST(ReadImage, RefusesAnIndexBeyondThePalette) {
+  EXPECT_THROWS_MESSAGE(
+      ReadBytes(
+          PngBuilder(2, 1, 8, 3).Chunk("PLTE", {10, 20, 30, 40, 50, 60}).Pixels({0, 1, 7}).End()),
+      Error,
+      HasSubstr("damaged PNG: pixel (1, 0) has palette index 7, but the palette "
+                "has 2 colours"));
+}
+
 TEST(ReadImage, DropsAlpha) {
   const Image colour = ReadBytes(PngBuilder(1, 1, 8, 6).Pixels({0, 1, 2, 3, 77}).End());
   EXPECT_THAT(colour.values(), ElementsAre(3, 2, 1));

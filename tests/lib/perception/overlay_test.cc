@@ -113,6 +113,26 @@ TEST(DrawLabelMask, ColoursGoodAndDontCare) {
   EXPECT_EQ(Pixel(drawn, 2, 0), (std::vector{40, 178, 40}));
 }
 
+TEST(DrawLabelMask, OutlinesWhatIsGoodInWhiteAndBlack) {
+  Image mask(256, 3, 1, 0);
+  for (int u = 10; u < 20; ++u) {
+    for (int v = 0; v < 3; ++v) mask.At(u, v) = 255;
+  }
+  mask.At(21, 1) = 128;  // the line goes over it
+  mask.At(40, 1) = 128;
+  const Image drawn = DrawLabelMask(Image(256, 3, 1, 100), mask);
+  const std::vector<int> bad = {100, 100, 100};
+  EXPECT_EQ(Pixel(drawn, 7, 1), bad);
+  EXPECT_EQ(Pixel(drawn, 8, 1), (std::vector{0, 0, 0}));
+  EXPECT_EQ(Pixel(drawn, 9, 1), (std::vector{255, 255, 255}));
+  EXPECT_EQ(Pixel(drawn, 10, 1), (std::vector{40, 178, 40}));
+  EXPECT_EQ(Pixel(drawn, 19, 1), (std::vector{40, 178, 40}));
+  EXPECT_EQ(Pixel(drawn, 20, 1), (std::vector{255, 255, 255}));
+  EXPECT_EQ(Pixel(drawn, 21, 1), (std::vector{0, 0, 0}));
+  EXPECT_EQ(Pixel(drawn, 22, 1), bad);
+  EXPECT_EQ(Pixel(drawn, 40, 1), (std::vector{147, 94, 70})) << "what is don't care has none";
+}
+
 TEST(DrawLabelMask, RefusesAMaskOfAnotherSize) {
   EXPECT_THROWS_MESSAGE(
       DrawLabelMask(Image(4, 3), Image(3, 3)), std::logic_error, ::testing::HasSubstr("3, 3, 4"));

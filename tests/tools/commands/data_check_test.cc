@@ -37,6 +37,21 @@ TEST_F(DataCheck, NamesEachFault) {
   EXPECT_THAT(outcome.out,
               AllOf(HasSubstr("p0.png: "), HasSubstr("p1.png: "), HasSubstr("p2_mask.png: ")));
   EXPECT_THAT(outcome.err, HasSubstr("3 faults in 6 images"));
+  EXPECT_THAT(outcome.out, HasSubstr("PPM is due (convert it, for example to PNG)\n"));
+}
+
+TEST_F(DataCheck, NotesWhatIsLegal) {
+  const Image mask = perception::ReadImage(set_ / "p2_mask.png");
+  perception::WritePng(set_ / "p2_mask.png", Image(mask.width(), mask.height(), 1, 0));
+  const Outcome outcome = RunArgs({"data", "check", set_.string()});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out,
+            "p2_mask.png: note: no good pixel (255): training draws nothing from the picture\n"
+            "OK: 6 images and masks, no fault, 1 note\n");
+  const auto json = nlohmann::json::parse(RunArgs({"data", "check", set_.string(), "--json"}).out);
+  EXPECT_EQ(json["faults"].size(), 0U);
+  ASSERT_EQ(json["notes"].size(), 1U);
+  EXPECT_EQ(json["notes"][0]["path"], "p2_mask.png");
 }
 
 TEST_F(DataCheck, ListsFaultsForMachines) {

@@ -55,7 +55,8 @@ TEST_F(DataSynthDemonstrations, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(Make("--family trained").code, 2);
   EXPECT_EQ(Make("--size huge").code, 2);
   EXPECT_EQ(Make("--size full --poses 3").code, 2);
-  EXPECT_THAT(Make("--poses -1").err, HasSubstr("--poses: -1 given; it must be from 0 to"));
+  EXPECT_THAT(Make("--poses -1").err, HasSubstr("--poses: -1 given; it must be from 1 to"));
+  EXPECT_THAT(Make("--poses 0").err, HasSubstr("--poses: 0 given; it must be from 1 to 1000000"));
   EXPECT_FALSE(std::filesystem::exists(out_));
 }
 

@@ -34,6 +34,22 @@ TEST_F(DataSynthGraspPoints, MakesASetThatPassesTheCheck) {
   EXPECT_EQ(check.code, 0) << check.out << check.err;
 }
 
+TEST_F(DataSynthGraspPoints, ClaimsToHaveWrittenOnlyWhatItHas) {
+  ASSERT_EQ(Make("--images 2").code, 0);
+  const Outcome again = Make("--images 2");
+  ASSERT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(again.out,
+            "Nothing to write: " + out_.string() + " is complete, 2 images with masks\n");
+  EXPECT_EQ(nlohmann::json::parse(Make("--images 2 --json").out)["num_images_written"], 0);
+  std::filesystem::remove(out_ / "masks/eraser_0000_0.png");
+  EXPECT_EQ(
+      Make("--images 2").out,
+      "Completed " + out_.string() + ", 2 images with masks: 1 of the 2 pictures were there\n");
+  const Outcome other = Make("--images 3");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, HasSubstr("num_images = 2 there, num_images = 3 here"));
+}
+
 TEST_F(DataSynthGraspPoints, TakesItsOptions) {
   const Outcome outcome = Make("--images 1 --family novel --seed 5 --stereo --threads 1 --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -55,7 +71,8 @@ TEST_F(DataSynthGraspPoints, LeavesOutTheSurroundingsWhenAsked) {
 
 TEST_F(DataSynthGraspPoints, RefusesOptionsThatContradictAndValuesItDoesNotKnow) {
   EXPECT_EQ(Make("--images 2 --size full").code, 2);
-  EXPECT_THAT(Make("--images -1").err, HasSubstr("--images: -1 given; it must be from 0 to"));
+  EXPECT_THAT(Make("--images -1").err, HasSubstr("--images: -1 given; it must be from 1 to"));
+  EXPECT_THAT(Make("--images 0").err, HasSubstr("--images: 0 given; it must be from 1 to 1000000"));
   EXPECT_EQ(Make("--family old").code, 2);
   EXPECT_EQ(Make("--size huge").code, 2);
   EXPECT_FALSE(std::filesystem::exists(out_));

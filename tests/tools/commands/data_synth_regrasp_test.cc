@@ -35,7 +35,7 @@ TEST_F(DataSynthRegrasp, MakesASetAndTellsOfIt) {
   EXPECT_EQ(json["fingerprint"], datasets::Fingerprint(datasets::ReadHoldSet(out_)));
   EXPECT_EQ(datasets::ReadDemonstrationSet(out_).items.size(), 8U);
   const Outcome again = Make("--configurations 1 --poses 2 --holds 3");
-  EXPECT_THAT(again.out, HasSubstr("Wrote 8 poses and 12 holds to "));
+  EXPECT_THAT(again.out, HasSubstr("is complete, 8 poses and 12 holds"));
 }
 
 TEST_F(DataSynthRegrasp, RefusesWhatItDoesNotKnow) {
