@@ -95,16 +95,10 @@ void AddRankingFigures(std::span<const ImageScore* const> images,
     groups.insert(groups.end(), image.labels.size(), k);
   }
   const GroupedRanking ranking(probabilities, labels, groups, images.size());
-  const auto estimate = [&](double (GroupedRanking::*figure)(std::span<const std::size_t>) const) {
-    return BootstrapOverGroups(
-        images.size(),
-        [&](std::span<const std::size_t> drawn) { return (ranking.*figure)(drawn); },
-        options.bootstrap_resamples,
-        options.seed,
-        options.num_threads);
-  };
-  figures.auc = estimate(&GroupedRanking::Auc);
-  figures.average_precision = estimate(&GroupedRanking::AveragePrecision);
+  const RankingEstimates estimates =
+      ranking.Bootstrap(options.bootstrap_resamples, options.seed, options.num_threads);
+  figures.auc = estimates.auc;
+  figures.average_precision = estimates.average_precision;
 }
 
 // How far the probabilities are from the truth.
