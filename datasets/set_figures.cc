@@ -43,8 +43,7 @@ ViewFigures FiguresOf(const ViewSet& set, const ObjectView& item, const Image& m
   figures.pixels = mask.values().size();
   figures.object_pixels = Count(mask, kObject);
   if (item.cloud.empty()) return figures;
-  const OrganisedCloud cloud = ReadPcd(set.root / item.cloud);
-  RequireSameSize(set.root / item.cloud, "the cloud", SizeOf(cloud), SizeOf(mask));
+  const OrganisedCloud cloud = ReadCloudOfPicture(set.root / item.cloud, SizeOf(mask));
   figures.clouds = 1;
   figures.cloud_object_pixels = figures.object_pixels;
   for (std::size_t i = 0; i < cloud.points.size(); ++i) {

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "datasets/importers/cornell_cloud.h"
+#include "datasets/formats/mask_picture.h"
 #include "datasets/importers/depth_cloud.h"
 #include "datasets/synthetic/camera_file.h"
 #include "datasets/synthetic/depth_cloud.h"
@@ -48,17 +48,6 @@ CameraFile ReadCamera(const SearchInput& input, const Image& image) {
   return file;
 }
 
-OrganisedCloud ReadCloud(const SearchInput& input, const Image& image) {
-  if (std::filesystem::path(input.cloud).extension() == ".txt") {
-    return datasets::ReadCornellCloud(input.cloud, image.width(), image.height());
-  }
-  OrganisedCloud cloud = datasets::ReadPcd(input.cloud);
-  if (cloud.width != image.width() || cloud.height != image.height()) {
-    RefuseSize(input.cloud, cloud.width, cloud.height, image);
-  }
-  return cloud;
-}
-
 OrganisedCloud CloudOfDepthPicture(const SearchInput& input, const Image& image) {
   const synthetic::PinholeCamera camera = ReadCamera(input, image).camera;
   const BasicImage<std::uint16_t> depth = perception::ReadImage16(input.depth);
@@ -91,8 +80,12 @@ OrganisedCloud CloudOfPair(const SearchInput& input, const Image& image) {
          .reason = fmt::format(
              "{} disparities; the picture has {} columns", num_disparities, image.width())});
   }
-  const FloatImage disparity_px =
-      perception::MatchPair(image, right, perception::StereoMatcher::kSemiGlobal, num_disparities);
+  const FloatImage disparity_px = perception::MatchPair(
+      image,
+      right,
+      input.stereo_method == SearchInput::kBlock ? perception::StereoMatcher::kBlock
+                                                 : perception::StereoMatcher::kSemiGlobal,
+      num_disparities);
   return synthetic::CloudFromDepth(
       perception::DepthOfDisparity(disparity_px, focal_px, *file.baseline_m, kFarthest_m),
       file.camera);
@@ -103,6 +96,43 @@ void AddFile(CLI::App& command,
              std::string& path,
              const std::string& description) {
   command.add_option(name, path, description)->type_name("FILE")->group(kPictureGroup);
+}
+
+// Above `low`, at most `high`, as `rule` says it.
+CLI::Validator Within(double low, double high, const char* rule) {
+  return CheckNumber<double>(
+      [=](double value) -> std::string { return value > low && value <= high ? "" : rule; });
+}
+
+// Where depth comes from.
+void AddDepthSources(CLI::App& command, SearchInput& input) {
+  AddFile(command,
+          "--cloud",
+          input.cloud,
+          "Look only at what stands on the table, by the picture's cloud: PCD, organised or with "
+          "an index of the pixel for each point, as the Cornell data have it");
+  AddFile(command, "--depth", input.depth, "The same by a depth picture: PNG of 16 bits [mm]");
+  AddFile(command, "--right", input.right, "The same by the right picture of a rectified pair");
+  AddFile(command,
+          "--camera",
+          input.camera,
+          "TOML file whose table [camera] has the intrinsics (--depth, --right) and the baseline");
+  command
+      .add_option(
+          "--cloud-unit",
+          input.cloud_unit_m,
+          "One unit of the cloud's coordinates [m]; without: 1, and 0.001 for a file of the "
+          "Cornell data")
+      ->check(Within(0.0, 1000.0, "above 0 and at most 1000"))
+      ->type_name("METRES")
+      ->group(kPictureGroup);
+  command
+      .add_option("--stereo-method",
+                  input.stereo_method,
+                  "How --right is matched: semi-global (OpenCV's StereoSGBM) or block (StereoBM)")
+      ->check(CLI::IsMember({SearchInput::kSemiGlobal, SearchInput::kBlock}))
+      ->capture_default_str()
+      ->group(kPictureGroup);
 }
 
 }  // namespace
@@ -116,36 +146,22 @@ std::vector<std::filesystem::path> SearchInput::Files() const {
 }
 
 void AddSearchOptions(CLI::App& command, SearchInput& input) {
-  AddFile(command,
-          "--cloud",
-          input.cloud,
-          "Look only at what stands on the table, by the picture's cloud: an organised .pcd, or "
-          "Cornell's .txt");
-  AddFile(command, "--depth", input.depth, "The same by a depth picture: PNG of 16 bits [mm]");
-  AddFile(command, "--right", input.right, "The same by the right picture of a rectified pair");
-  AddFile(command,
-          "--camera",
-          input.camera,
-          "TOML file whose table [camera] has the intrinsics (--depth, --right) and the baseline");
+  AddDepthSources(command, input);
   command
       .add_option("--up", input.up, "Upwards in the cloud's frame; 0 0 1, or 0 -1 0 of a camera")
       ->type_name("X Y Z")
       ->expected(3)
       ->group(kPictureGroup);
-  const auto within = [](double low, double high, const char* rule) {
-    return CheckNumber<double>(
-        [=](double value) -> std::string { return value > low && value <= high ? "" : rule; });
-  };
   AddNumber(command,
             "--up-angle",
             input.up_angle_deg,
-            within(0.0, 90.0, "above 0 and at most 90"),
+            Within(0.0, 90.0, "above 0 and at most 90"),
             "A table's normal is at most so far from upwards [deg]")
       ->group(kPictureGroup);
   AddNumber(command,
             "--table-distance",
             input.table_distance_m,
-            within(0.0, 1.0, "above 0 and at most 1"),
+            Within(0.0, 1.0, "above 0 and at most 1"),
             "Points nearer to the table belong to it [m]")
       ->group(kPictureGroup);
 }
@@ -164,12 +180,18 @@ void RequireSearchFits(const SearchInput& input, std::size_t num_inputs) {
   if (needs_camera && input.camera.empty()) refuse("--depth and --right need --camera");
   if (!needs_camera && !input.camera.empty())
     refuse("--camera is read by --depth and --right alone");
+  if (input.cloud.empty() && input.cloud_unit_m) refuse("--cloud-unit needs --cloud");
+  if (input.right.empty() && input.stereo_method != SearchInput::kSemiGlobal) {
+    refuse("--stereo-method needs --right");
+  }
   if (num_sources == 0 && !input.up.empty()) refuse("--up needs --cloud, --depth or --right");
   if (num_sources == 1) RegionOptions(input).Validate();
 }
 
 OrganisedCloud CloudFor(const SearchInput& input, const Image& image) {
-  if (!input.cloud.empty()) return ReadCloud(input, image);
+  if (!input.cloud.empty()) {
+    return datasets::ReadCloudOfPicture(input.cloud, datasets::SizeOf(image), input.cloud_unit_m);
+  }
   return input.depth.empty() ? CloudOfPair(input, image) : CloudOfDepthPicture(input, image);
 }
 

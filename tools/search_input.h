@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,17 +24,23 @@ struct SearchInput {
   std::string depth = {};
   std::string right = {};
   std::string camera = {};
+  std::optional<float> cloud_unit_m = {};  ///< nothing: as ReadCloudOfPicture knows it
+  std::string stereo_method = kSemiGlobal;
   /// Empty: (0, 0, 1) for a cloud, (0, −1, 0) in a camera's optical frame.
   std::vector<float> up = {};
   double up_angle_deg = 10.0;
   double table_distance_m = 0.01;
+
+  static constexpr const char* kSemiGlobal = "semi-global";
+  static constexpr const char* kBlock = "block";
 
   [[nodiscard]] bool IsGiven() const { return !cloud.empty() || !depth.empty() || !right.empty(); }
   /// The files that are read.
   [[nodiscard]] std::vector<std::filesystem::path> Files() const;
 };
 
-/// --cloud, --depth, --right (one of the three), --camera, --up, --up-angle, --table-distance.
+/// --cloud, --depth, --right (one of the three), --cloud-unit, --camera, --stereo-method, --up,
+/// --up-angle, --table-distance.
 void AddSearchOptions(CLI::App& command, SearchInput& input);
 
 /// Throws Error(kUsage) unless the options fit each other and `num_inputs` pictures.

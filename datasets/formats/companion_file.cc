@@ -17,7 +17,6 @@ namespace {
 PixelSize SizeIn(std::string_view column, const std::filesystem::path& path) {
   if (column == kObjectMask) return SizeOf(ReadObjectMask(path));
   if (column == kDepth) return SizeOf(perception::ReadImage16(path));
-  if (column == kCloud) return SizeOf(ReadPcd(path));
   HC_CHECK(column == kRightImage, column);
   return SizeOf(perception::ReadImage(path));
 }
@@ -29,6 +28,10 @@ void CheckCompanion(std::string_view column,
                     const PixelSize& picture_size) {
   if (column == kScene) {
     CheckSceneFile(path);
+    return;
+  }
+  if (column == kCloud) {
+    static_cast<void>(ReadCloudOfPicture(path, picture_size));
     return;
   }
   RequireSameSize(path, "the " + std::string(column), SizeIn(column, path), picture_size);

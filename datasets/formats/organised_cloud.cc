@@ -52,16 +52,24 @@ struct File {
   }
 };
 
-float FloatAt(std::span<const std::uint8_t> bytes, std::size_t at) {
-  float value = 0.0F;
+// Points as the file has them, and beside each the number of its pixel where there is a field for
+// it.
+struct FilePoints {
+  std::vector<Eigen::Vector3f> points;
+  std::vector<double> indices;
+};
+
+template <class T>
+T NumberAt(std::span<const std::uint8_t> bytes, std::size_t at) {
+  T value{};
   std::memcpy(&value, &bytes[at], sizeof(value));
   return value;
 }
 
-std::size_t SizeAt(std::span<const std::uint8_t> bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  std::memcpy(&value, &bytes[at], sizeof(value));
-  return value;
+double IndexAt(std::span<const std::uint8_t> bytes, std::size_t at, char type) {
+  if (type == 'F') return static_cast<double>(NumberAt<float>(bytes, at));
+  if (type == 'I') return static_cast<double>(NumberAt<std::int32_t>(bytes, at));
+  return static_cast<double>(NumberAt<std::uint32_t>(bytes, at));
 }
 
 // The next word of a line, which loses it; empty at its end.
@@ -73,50 +81,54 @@ std::string_view TakeWord(std::string_view& line) {
   return word;
 }
 
-float ParseCoordinate(const File& file, std::size_t line, std::string_view word) {
-  float value = 0.0F;
+template <class T>
+T ParseNumber(const File& file, std::size_t line, std::string_view word, std::string_view due) {
+  T value{};
   const char* const end = word.data() + word.size();
   const auto [stop, code] = std::from_chars(word.data(), end, value);
   if (stop == end && code == std::errc()) return value;
-  file.FailAtLine(line, "'" + std::string(word) + "' where a coordinate is due");
+  file.FailAtLine(line, fmt::format("'{}' where {} is due", word, due));
 }
 
-Eigen::Vector3f ParsePoint(const File& file, std::size_t line, std::string_view text) {
-  Eigen::Vector3f point = Eigen::Vector3f::Constant(kNaN);
+void ParsePoint(const File& file, std::size_t line, std::string_view text, FilePoints& read) {
+  const PcdHeader& header = file.header;
+  Eigen::Vector3f& point = read.points.emplace_back(Eigen::Vector3f::Constant(kNaN));
   std::size_t count = 0;
   for (std::string_view word = TakeWord(text); !word.empty(); word = TakeWord(text), ++count) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (file.header.coordinates[axis].value != count) continue;
-      point[static_cast<Eigen::Index>(axis)] = ParseCoordinate(file, line, word);
+      if (header.coordinates[axis].value != count) continue;
+      point[static_cast<Eigen::Index>(axis)] = ParseNumber<float>(file, line, word, "a coordinate");
+    }
+    if (header.index && header.index->value == count) {
+      read.indices.push_back(ParseNumber<double>(file, line, word, "an index"));
     }
   }
-  if (count != file.header.point_values) {
-    file.FailAtLine(line, fmt::format("{} values; {} are due", count, file.header.point_values));
+  if (count != header.point_values) {
+    file.FailAtLine(line, fmt::format("{} values; {} are due", count, header.point_values));
   }
-  return point;
 }
 
-std::vector<Eigen::Vector3f> ReadAscii(const File& file) {
+FilePoints ReadAscii(const File& file) {
   std::string_view text(reinterpret_cast<const char*>(file.Data().data()), file.Data().size());
   const std::size_t num_points = file.header.num_points();
-  std::vector<Eigen::Vector3f> points;
+  FilePoints read;
   // A value and the blank behind it take two bytes: no header makes us reserve more than is there.
-  points.reserve(std::min(num_points, text.size() / 2));
+  read.points.reserve(std::min(num_points, text.size() / 2));
   std::size_t line = file.header.data_line;
   for (; !text.empty(); ++line) {
     const std::string_view row = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(row.size() + 1, text.size()));
     if (row.find_first_not_of(" \t\r") == std::string_view::npos) continue;
-    if (points.size() == num_points) {
+    if (read.points.size() == num_points) {
       file.FailAtLine(line, fmt::format("more than the {} points of the header", num_points));
     }
-    points.push_back(ParsePoint(file, line, row));
+    ParsePoint(file, line, row, read);
   }
-  if (points.size() != num_points) {
-    file.FailAtLine(line,
-                    fmt::format("the file ends after {} of {} points", points.size(), num_points));
+  if (read.points.size() != num_points) {
+    file.FailAtLine(
+        line, fmt::format("the file ends after {} of {} points", read.points.size(), num_points));
   }
-  return points;
+  return read;
 }
 
 void CheckDataSize(const File& file) {
@@ -130,45 +142,112 @@ void CheckDataSize(const File& file) {
                               file.header.point_bytes));
 }
 
-std::vector<Eigen::Vector3f> ReadBinary(const File& file) {
-  CheckDataSize(file);
-  const std::span<const std::uint8_t> data = file.Data();
-  std::vector<Eigen::Vector3f> points(file.header.num_points());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      points[i][static_cast<Eigen::Index>(axis)] =
-          FloatAt(data, i * file.header.point_bytes + file.header.coordinates[axis].offset_bytes);
+// The first point's value of a field stands at byte begin(field), the next ones `stride` bytes
+// apart.
+template <class Begin>
+FilePoints Gather(const File& file,
+                  std::span<const std::uint8_t> bytes,
+                  std::size_t stride,
+                  const Begin& begin) {
+  FilePoints read{.points = std::vector<Eigen::Vector3f>(file.header.num_points()), .indices = {}};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t field = begin(file.header.coordinates[axis]);
+    for (std::size_t i = 0; i < read.points.size(); ++i) {
+      read.points[i][static_cast<Eigen::Index>(axis)] = NumberAt<float>(bytes, field + i * stride);
     }
   }
-  return points;
+  if (!file.header.index) return read;
+  const std::size_t field = begin(*file.header.index);
+  read.indices.reserve(read.points.size());
+  for (std::size_t i = 0; i < read.points.size(); ++i) {
+    read.indices.push_back(IndexAt(bytes, field + i * stride, file.header.index->type));
+  }
+  return read;
+}
+
+FilePoints ReadBinary(const File& file) {
+  CheckDataSize(file);
+  return Gather(file, file.Data(), file.header.point_bytes, [](const PcdHeader::Coordinate& field) {
+    return field.offset_bytes;
+  });
 }
 
 // Two lengths, then an LZF stream of one field after the other.
-std::vector<Eigen::Vector3f> ReadCompressed(const File& file) {
+FilePoints ReadCompressed(const File& file) {
   constexpr std::size_t kLengths = 8;
   const std::span<const std::uint8_t> data = file.Data();
   const std::size_t begin = file.header.data_begin;
   if (data.size() < kLengths) file.FailAtByte(begin, "the file ends before the two lengths");
   const std::size_t num_points = file.header.num_points();
   const std::size_t due = num_points * file.header.point_bytes;
-  if (SizeAt(data, 4) != due) {
-    file.FailAtByte(begin + 4, fmt::format("{} bytes unpacked; {} are due", SizeAt(data, 4), due));
+  if (NumberAt<std::uint32_t>(data, 4) != due) {
+    file.FailAtByte(
+        begin + 4,
+        fmt::format("{} bytes unpacked; {} are due", NumberAt<std::uint32_t>(data, 4), due));
   }
-  const std::size_t packed = SizeAt(data, 0);
+  const std::size_t packed = NumberAt<std::uint32_t>(data, 0);
   const std::size_t there = data.size() - kLengths;
   if (packed > there || there - packed > kMostBytesBehind) {
     file.FailAtByte(begin, fmt::format("{} packed bytes announced; {} are there", packed, there));
   }
   const auto unpacked = UnpackLzf(data.subspan(kLengths, packed), due);
   if (!unpacked) file.FailAtByte(begin + kLengths, "a damaged LZF stream");
-  std::vector<Eigen::Vector3f> points(num_points);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::size_t field = file.header.coordinates[axis].offset_bytes * num_points;
-    for (std::size_t i = 0; i < num_points; ++i) {
-      points[i][static_cast<Eigen::Index>(axis)] = FloatAt(*unpacked, field + i * sizeof(float));
-    }
+  return Gather(file, *unpacked, sizeof(float), [=](const PcdHeader::Coordinate& field) {
+    return field.offset_bytes * num_points;
+  });
+}
+
+FilePoints ReadPoints(const File& file, float unit_m) {
+  FilePoints read;
+  switch (file.header.data) {
+    case PcdData::kAscii:
+      read = ReadAscii(file);
+      break;
+    case PcdData::kBinary:
+      read = ReadBinary(file);
+      break;
+    case PcdData::kBinaryCompressed:
+      read = ReadCompressed(file);
+      break;
   }
-  return points;
+  for (Eigen::Vector3f& point : read.points) {
+    point *= unit_m;
+    if (!IsMeasured(point)) point.setConstant(kNaN);
+  }
+  return read;
+}
+
+std::string SizeText(const PixelSize& size) {
+  return fmt::format("{} × {} pixels", size[0], size[1]);
+}
+
+// The points where their indices say.
+std::vector<Eigen::Vector3f> PutAtPixels(const File& file,
+                                         const FilePoints& read,
+                                         const PixelSize& picture_size) {
+  const auto num_pixels = static_cast<std::size_t>(picture_size[0] * picture_size[1]);
+  std::vector<Eigen::Vector3f> pixels(num_pixels, Eigen::Vector3f::Constant(kNaN));
+  std::vector<bool> is_taken(num_pixels);
+  const auto fail = [&](std::size_t i, const std::string& what) {
+    throw Error(
+        {.path = file.path.string(),
+         .reason = fmt::format(
+             "point {} of {}: index {} {}", i + 1, read.points.size(), read.indices[i], what),
+         .remedy = "index is row · width + column of a point's pixel; give the picture that "
+                   "the cloud belongs to"});
+  };
+  for (std::size_t i = 0; i < read.points.size(); ++i) {
+    const double index = read.indices[i];
+    if (!(index >= 0.0 && index < static_cast<double>(num_pixels))) {
+      fail(i, "is outside the picture of " + SizeText(picture_size));
+    }
+    const auto pixel = static_cast<std::size_t>(index);
+    if (static_cast<double>(pixel) != index) fail(i, "is no whole number");
+    if (is_taken[pixel]) fail(i, "is there twice");
+    is_taken[pixel] = true;
+    pixels[pixel] = read.points[i];
+  }
+  return pixels;
 }
 
 }  // namespace
@@ -176,24 +255,38 @@ std::vector<Eigen::Vector3f> ReadCompressed(const File& file) {
 OrganisedCloud ReadPcd(const std::filesystem::path& path) {
   const std::vector<std::uint8_t> bytes = ReadFile(path);
   const File file{path, bytes, ReadPcdHeader(path, bytes)};
-  OrganisedCloud cloud{.width = file.header.width,
-                       .height = file.header.height,
+  return {.width = file.header.width,
+          .height = file.header.height,
+          .points = ReadPoints(file, file.header.unit_m).points,
+          .base_from_camera = file.header.viewpoint};
+}
+
+OrganisedCloud ReadCloudOfPicture(const std::filesystem::path& path,
+                                  const PixelSize& picture_size,
+                                  std::optional<float> unit_m) {
+  const std::vector<std::uint8_t> bytes = ReadFile(path);
+  const File file{path, bytes, ReadPcdHeader(path, bytes)};
+  const PcdHeader& header = file.header;
+  OrganisedCloud cloud{.width = static_cast<int>(picture_size[0]),
+                       .height = static_cast<int>(picture_size[1]),
                        .points = {},
-                       .base_from_camera = file.header.viewpoint};
-  switch (file.header.data) {
-    case PcdData::kAscii:
-      cloud.points = ReadAscii(file);
-      break;
-    case PcdData::kBinary:
-      cloud.points = ReadBinary(file);
-      break;
-    case PcdData::kBinaryCompressed:
-      cloud.points = ReadCompressed(file);
-      break;
+                       .base_from_camera = header.viewpoint};
+  const PixelSize size = {header.width, header.height};
+  if (header.height > 1 || size == picture_size) {
+    RequireSameSize(path, "the cloud", size, picture_size);
+    cloud.points = ReadPoints(file, unit_m.value_or(header.unit_m)).points;
+    return cloud;
   }
-  for (Eigen::Vector3f& point : cloud.points) {
-    if (!IsMeasured(point)) point.setConstant(kNaN);
+  if (!header.index) {
+    throw Error(
+        {.path = path.string(),
+         .reason = "an unorganised cloud (HEIGHT 1) without a field 'index' of four bytes: "
+                   "nothing tells which pixel a point belongs to",
+         .remedy = fmt::format("write the cloud organised, {}, or with an index, row · width "
+                               "+ column, for each point",
+                               SizeText(picture_size))});
   }
+  cloud.points = PutAtPixels(file, ReadPoints(file, unit_m.value_or(header.unit_m)), picture_size);
   return cloud;
 }
 

@@ -5,10 +5,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "datasets/formats/mask_picture.h"
 #include "lib/perception/cloud_view.h"
 
 namespace handcraft::datasets {
@@ -31,14 +33,24 @@ struct OrganisedCloud {
 
 using perception::IsMeasured;
 
-/// Reads a PCD file (docs/datasets.md): version 0.7; ascii, binary or binary_compressed; x, y and z
-/// as four-byte floats among other fields, which are skipped. A point with a coordinate that is NaN
-/// or infinite becomes NaN in all three. Throws Error with the line or byte: a header that
-/// ReadPcdHeader refuses, fewer or more data than the points take, text that is no number, a
+/// Reads a PCD file (docs/datasets.md) as it is: version 0.7; ascii, binary or binary_compressed;
+/// x, y and z as four-byte floats among other fields, which are skipped. A point with a coordinate
+/// that is NaN or infinite becomes NaN in all three. Throws Error with the line or byte: a header
+/// that ReadPcdHeader refuses, fewer or more data than the points take, text that is no number, a
 /// damaged compressed stream. Up to a memory page of bytes behind the data is passed over: older
 /// versions of the Point Cloud Library leave it there. Takes no more memory than the length of the
 /// file can account for.
 [[nodiscard]] OrganisedCloud ReadPcd(const std::filesystem::path& path);
+
+/// Reads a PCD file as the cloud of a picture, whatever the file's name: organised, of the
+/// picture's size, or indexed: HEIGHT 1 and a field `index`, row · width + column of the pixel that
+/// a point belongs to. Pixels that no point names are NaN. Coordinates are multiplied by `unit_m`;
+/// nothing: the unit of the header (PcdHeader.unit_m). Throws Error with the path as ReadPcd does,
+/// and: another size, an unorganised cloud without `index`, an index that is no pixel of the
+/// picture, or twice there.
+[[nodiscard]] OrganisedCloud ReadCloudOfPicture(const std::filesystem::path& path,
+                                                const PixelSize& picture_size,
+                                                std::optional<float> unit_m = std::nullopt);
 
 /// Writes x, y and z as a binary PCD file, atomically; VIEWPOINT is the camera's pose. Same cloud,
 /// same bytes. Throws Error when it cannot.

@@ -41,6 +41,8 @@ std::vector<std::string_view> SplitWords(std::string_view text) {
   return words;
 }
 
+bool IsNumber(std::string_view type) { return type == "U" || type == "I" || type == "F"; }
+
 class HeaderReader {
  public:
   HeaderReader(const std::filesystem::path& path, std::span<const std::uint8_t> bytes)
@@ -48,8 +50,12 @@ class HeaderReader {
 
   PcdHeader Read() {
     while (entries_.count("DATA") == 0) TakeLine();
-    CheckVersion();
     PcdHeader header;
+    if (IsOfCornell()) {
+      header.unit_m = 0.001F;
+    } else {
+      CheckVersion();
+    }
     ReadFields(header);
     header.width = ReadSide("WIDTH");
     header.height = ReadSide("HEIGHT");
@@ -97,6 +103,13 @@ class HeaderReader {
                std::to_string(*count) + " are due");
     }
     return entry;
+  }
+
+  [[nodiscard]] bool IsOfCornell() const {
+    constexpr std::array<std::string_view, 5> kCornellFields = {"x", "y", "z", "rgb", "index"};
+    const auto& fields = Need("FIELDS", std::nullopt).values;
+    return entries_.count("VERSION") == 0 &&
+           std::equal(fields.begin(), fields.end(), kCornellFields.begin(), kCornellFields.end());
   }
 
   void CheckVersion() const {
@@ -148,6 +161,9 @@ class HeaderReader {
         }
         found[axis] = true;
         header.coordinates[axis] = {header.point_bytes, header.point_values};
+      } else if (name == "index" && size == 4 && count == 1 && IsNumber(types.values[i])) {
+        if (header.index) Fail(fields.line, "field 'index' appears twice");
+        header.index = {{header.point_bytes, header.point_values}, types.values[i][0]};
       }
       header.point_bytes += size * count;
       header.point_values += count;

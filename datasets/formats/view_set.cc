@@ -138,8 +138,7 @@ LoadedView ReadView(const ViewSet& set, std::size_t index) {
   RequireSameSize(
       set.root / item.object_mask, "the mask", SizeOf(view.object_mask), SizeOf(view.image));
   if (!item.cloud.empty()) {
-    view.cloud = ReadPcd(set.root / item.cloud);
-    RequireSameSize(set.root / item.cloud, "the cloud", SizeOf(*view.cloud), SizeOf(view.image));
+    view.cloud = ReadCloudOfPicture(set.root / item.cloud, SizeOf(view.image));
   }
   return view;
 }

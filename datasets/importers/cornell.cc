@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "datasets/formats/csv_records.h"
-#include "datasets/importers/cornell_cloud.h"
 #include "datasets/importers/cornell_rectangles.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
@@ -113,6 +112,8 @@ std::map<std::string, std::string> ReadClasses(const fs::path& source) {
   return classes;
 }
 
+constexpr float kMillimetre_m = 0.001F;
+
 std::string InstanceOf(int number, int span) {
   const int first = number / span * span;
   return FourDigits(first) + (span == 1 ? "" : "-" + FourDigits(first + span - 1));
@@ -146,7 +147,7 @@ SourcePicture Describe(const CornellPicture& picture,
       .read_rectangles = read};
   if (!picture.cloud.empty()) {
     found.make_cloud = [cloud = picture.cloud](int width, int height) {
-      return ReadCornellCloud(cloud, width, height);
+      return ReadCloudOfPicture(cloud, {width, height}, kMillimetre_m);
     };
   }
   return found;

@@ -121,7 +121,8 @@ GraspPointEvaluation EvaluateGraspPoints(const hc_model* model,
   }
   GraspPointEvaluation evaluation;
   evaluation.options = options;
-  evaluation.data_fingerprint = datasets::Fingerprint(set);
+  evaluation.data_fingerprint =
+      options.data_fingerprint.empty() ? datasets::Fingerprint(set) : options.data_fingerprint;
   evaluation.images.resize(set.items.size());
   std::atomic<std::size_t> num_done{0};
   const std::thread::id caller = std::this_thread::get_id();

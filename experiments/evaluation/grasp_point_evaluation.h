@@ -31,6 +31,7 @@ struct EvaluationOptions {
   std::uint64_t seed = 1;
   int num_threads = 1;
   Progress progress = {};
+  std::string data_fingerprint = {};  ///< of the set, where it is known; empty: worked out
   /// Region R that best pixels are looked for in; empty: everywhere. `item` is the index into the
   /// set. Called from several threads at once. Labelled pixels are scored everywhere all the same.
   std::function<perception::SearchRegion(std::size_t item, const Image& picture)> region = {};

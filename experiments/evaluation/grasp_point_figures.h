@@ -20,11 +20,11 @@ struct BestPixelCounts {
 };
 [[nodiscard]] BestPixelCounts CountBestPixels(const ImageScore& image);
 
-/// The figures of a group of images. Intervals: bootstrap over its images (BootstrapOverGroups);
-/// for a share of exactly 0 or 1 the Wilson interval with as many trials as images that count. A
-/// figure that has nothing to stand on (no counted pixel, one kind of pixel) is NaN, and so is the
-/// interval of a single image.
-/// Pure; the number of threads does not change a bit.
+/// The figures of a group of images. Intervals: bootstrap over its images (grouped_ratio.h,
+/// grouped_ranking.h); for a share of exactly 0 or 1 the Wilson interval with as many trials as
+/// images that count. A figure that has nothing to stand on (no counted pixel, one kind of pixel)
+/// is NaN, and so is the interval of a single image. Pure; the number of threads does not change a
+/// bit.
 [[nodiscard]] GroupFigures ComputeGroupFigures(const std::string& name,
                                                std::span<const ImageScore* const> images,
                                                const EvaluationOptions& options);

@@ -13,8 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kNumReliabilityBins = 10;
-
 const char* NameOfMaskValue(std::uint8_t value) {
   if (value == datasets::kMaskGood) return "good";
   return value == datasets::kMaskBad ? "bad" : "dont_care";

@@ -7,15 +7,14 @@
 
 #include <fmt/format.h>
 
-#include "experiments/evaluation/confusion_table.h"
 #include "experiments/evaluation/grasp_point_plots.h"
 #include "experiments/evaluation/grasp_point_templates.h"
 #include "experiments/evaluation/html_text.h"
+#include "experiments/evaluation/pixel_cards.h"
 
 namespace handcraft::experiments {
 namespace {
 
-constexpr std::size_t kNumReliabilityBins = 10;
 constexpr std::size_t kNumHistogramBins = 20;
 // More bars than this leave no room for their names.
 constexpr std::size_t kMaxPlottedClasses = 12;
@@ -106,19 +105,22 @@ std::string PlotsText(const GraspPointEvaluation& evaluation) {
   const auto bins = [&](std::size_t count) {
     return BinProbabilities(pooled.probabilities, pooled.labels, count);
   };
+  const std::vector<ProbabilityBin> reliability = bins(kNumReliabilityBins);
+  const GroupFigures& all = evaluation.all;
   return fmt::format(
       fmt::runtime(kPlotsTemplate),
       fmt::arg("pixels", pooled.labels.size()),
-      fmt::arg("confusion", ConfusionTable(evaluation.all.confusion, evaluation.options.threshold)),
-      fmt::arg("roc", PlotRoc(evaluation.roc).ToInlineText()),
-      fmt::arg("auc", DecimalText(evaluation.all.auc.value, 3)),
-      fmt::arg("precision_recall", PlotPrecisionRecall(evaluation.precision_recall).ToInlineText()),
-      fmt::arg("average_precision", DecimalText(evaluation.all.average_precision.value, 3)),
-      fmt::arg(
-          "strict_confusion",
-          ConfusionTable(evaluation.all.strict_confusion, evaluation.options.best_min_probability)),
-      fmt::arg("reliability", PlotReliability(bins(kNumReliabilityBins)).ToInlineText()),
-      fmt::arg("brier", DecimalText(evaluation.all.brier.value, 3)),
+      fmt::arg("cards",
+               PixelCards({.confusion = all.confusion,
+                           .threshold = evaluation.options.threshold,
+                           .strict_confusion = all.strict_confusion,
+                           .strict_threshold = evaluation.options.best_min_probability,
+                           .auc = all.auc,
+                           .average_precision = all.average_precision,
+                           .brier = all.brier.value,
+                           .roc = evaluation.roc,
+                           .precision_recall = evaluation.precision_recall,
+                           .reliability = reliability})),
       fmt::arg("histogram", PlotScoreHistogram(bins(kNumHistogramBins)).ToInlineText()));
 }
 

@@ -41,20 +41,23 @@ inline constexpr std::string_view kConfusionTemplate = R"html(<table class="conf
 </tbody></table>
 )html";
 
-inline constexpr std::string_view kPlotsTemplate = R"html(<h2>Pixel by pixel</h2>
-<p class="note">{pixels} labelled pixels, as many good as bad in each image that has both.</p>
-<div class="plots">
-<figure class="card"><h3>Confusion matrix</h3>
+inline constexpr std::string_view kPixelCardsTemplate =
+    R"html(<figure class="card"><h3>Confusion matrix</h3>
 {confusion}<figcaption>Counts, and their share of the row.</figcaption></figure>
+<figure class="card"><h3>Confusion matrix, strict</h3>
+{strict_confusion}<figcaption>At the probability that best pixels must exceed.</figcaption></figure>
 <figure class="card"><h3>ROC curve, area {auc}</h3>
 {roc}<figcaption>The dashed line is guessing.</figcaption></figure>
 <figure class="card"><h3>Precision and recall, average precision {average_precision}</h3>
 {precision_recall}<figcaption>Guessing gives the share of good pixels, one half here.</figcaption></figure>
-<figure class="card"><h3>Confusion matrix, strict</h3>
-{strict_confusion}<figcaption>At the probability that best pixels must exceed.</figcaption></figure>
 <figure class="card"><h3>Reliability, Brier score {brier}</h3>
 {reliability}<figcaption>On the dashed line a probability means what it says, were good and bad pixels equally common.</figcaption></figure>
-<figure class="card"><h3>Probabilities of good and bad pixels</h3>
+)html";
+
+inline constexpr std::string_view kPlotsTemplate = R"html(<h2>Pixel by pixel</h2>
+<p class="note">{pixels} labelled pixels, as many good as bad in each image that has both.</p>
+<div class="plots">
+{cards}<figure class="card"><h3>Probabilities of good and bad pixels</h3>
 {histogram}<figcaption><span class="key first"></span>labelled good&ensp; <span class="key second"></span>labelled bad</figcaption></figure>
 </div>
 )html";

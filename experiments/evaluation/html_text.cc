@@ -76,6 +76,11 @@ std::string DecimalIntervalText(const Estimate& estimate, int digits) {
   return fmt::format("[{:.{}f}, {:.{}f}]", estimate.low, digits, estimate.high, digits);
 }
 
+std::string DecimalEstimateText(const Estimate& estimate, int digits) {
+  const std::string interval = DecimalIntervalText(estimate, digits);
+  return DecimalText(estimate.value, digits) + (interval.empty() ? "" : " " + interval);
+}
+
 std::string MakeHtmlPage(std::string_view title, std::string_view body) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"

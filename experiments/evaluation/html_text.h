@@ -28,6 +28,8 @@ namespace handcraft::experiments {
 [[nodiscard]] std::string PercentIntervalText(const Estimate& estimate);
 [[nodiscard]] std::string DecimalText(double value, int digits);
 [[nodiscard]] std::string DecimalIntervalText(const Estimate& estimate, int digits);
+/// Value and interval: "0.861 [0.840, 0.880]"; the value alone when there is no interval.
+[[nodiscard]] std::string DecimalEstimateText(const Estimate& estimate, int digits);
 
 /// A whole page: document type, style sheet (experiments/evaluation/html_style.h), body. The title
 /// is plain text, the body HTML. No script, nothing loaded from outside.

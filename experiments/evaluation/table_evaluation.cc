@@ -43,12 +43,7 @@ Estimate EstimateAuc(const std::vector<double>& probabilities,
   std::vector<std::size_t> rows(labels.size());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
   const GroupedRanking ranking(probabilities, labels, rows, rows.size());
-  return BootstrapOverGroups(
-      rows.size(),
-      [&ranking](std::span<const std::size_t> drawn) { return ranking.Auc(drawn); },
-      options.bootstrap_resamples,
-      options.seed,
-      options.num_threads);
+  return ranking.Bootstrap(options.bootstrap_resamples, options.seed, options.num_threads).auc;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "lib/core/check.h"
 #include "lib/core/parallel.h"
@@ -235,6 +236,22 @@ Estimate WilsonInterval(std::size_t successes, std::size_t trials) {
           successes == trials ? 1.0 : centre + half_width};
 }
 
+std::vector<std::size_t> DrawGroups(std::size_t num_groups,
+                                    std::uint64_t seed,
+                                    std::size_t resample) {
+  Rng rng = Rng::Stream(seed, "bootstrap", resample);
+  std::vector<std::size_t> drawn(num_groups);
+  for (std::size_t& group : drawn) group = rng.UniformInt(num_groups);
+  return drawn;
+}
+
+Estimate PercentileEstimate(double value, std::vector<double> of_resamples) {
+  std::erase_if(of_resamples, [](double result) { return std::isnan(result); });
+  if (of_resamples.empty()) return {value, kNaN, kNaN};
+  std::sort(of_resamples.begin(), of_resamples.end());
+  return {value, PercentileOfSorted(of_resamples, 0.025), PercentileOfSorted(of_resamples, 0.975)};
+}
+
 Estimate BootstrapOverGroups(std::size_t num_groups,
                              const std::function<double(std::span<const std::size_t>)>& statistic,
                              std::size_t num_resamples,
@@ -246,15 +263,9 @@ Estimate BootstrapOverGroups(std::size_t num_groups,
   if (num_groups == 1) return {statistic(all), kNaN, kNaN};
   std::vector<double> results(num_resamples);
   ParallelFor(num_resamples, num_threads, [&](std::size_t resample) {
-    Rng rng = Rng::Stream(seed, "bootstrap", resample);
-    std::vector<std::size_t> drawn(num_groups);
-    for (std::size_t& group : drawn) group = rng.UniformInt(num_groups);
-    results[resample] = statistic(drawn);
+    results[resample] = statistic(DrawGroups(num_groups, seed, resample));
   });
-  std::erase_if(results, [](double value) { return std::isnan(value); });
-  if (results.empty()) return {statistic(all), kNaN, kNaN};
-  std::sort(results.begin(), results.end());
-  return {statistic(all), PercentileOfSorted(results, 0.025), PercentileOfSorted(results, 0.975)};
+  return PercentileEstimate(statistic(all), std::move(results));
 }
 
 }  // namespace handcraft::experiments

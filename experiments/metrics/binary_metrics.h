@@ -80,6 +80,15 @@ struct RocPoint {
 /// Source: Wilson 1927, "Probable inference, the law of succession, and statistical inference".
 [[nodiscard]] Estimate WilsonInterval(std::size_t successes, std::size_t trials);
 
+/// The groups of a resample: as many as there are, drawn with replacement from the random stream
+/// (seed, resample).
+[[nodiscard]] std::vector<std::size_t> DrawGroups(std::size_t num_groups,
+                                                  std::uint64_t seed,
+                                                  std::size_t resample);
+
+/// The interval of BootstrapOverGroups from what the statistic was on the resamples.
+[[nodiscard]] Estimate PercentileEstimate(double value, std::vector<double> of_resamples);
+
 /// Percentile bootstrap over groups (images): `statistic` maps a resampled list of num_groups group
 /// indices to a number. The value is the statistic of all groups; the interval runs from the 2.5th
 /// to the 97.5th percentile of the resamples (linear interpolation), NaN results left out.

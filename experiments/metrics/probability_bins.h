@@ -10,6 +10,9 @@
 
 namespace handcraft::experiments {
 
+/// Of a reliability diagram.
+inline constexpr std::size_t kNumReliabilityBins = 10;
+
 /// The samples whose probability lies in [low, high) (the last bin takes 1 as well).
 struct ProbabilityBin {
   double low = 0.0;

@@ -3,15 +3,13 @@
 
 #include "experiments/runner/bar_figure.h"
 
-#include <fcntl.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <fmt/format.h>
+
+#include "experiments/runner/gnuplot.h"
 
 namespace handcraft::experiments {
 namespace {
@@ -41,26 +39,14 @@ Range RangeOf(const BarFigure& figure) {
   return range;
 }
 
-// Text inside double quotes; what would end them or the line is left out.
-std::string Quoted(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char letter : text) {
-    if (letter != '"' && letter != '\\' && letter != '\n' && letter != '`') quoted += letter;
-  }
-  return quoted + "\"";
-}
-
-std::string Number(double value) {
-  return std::isnan(value) ? std::string("NaN") : fmt::format("{:.6g}", value);
-}
-
 std::string DataBlock(const BarFigure& figure) {
   std::string text = "$bars << END_OF_BARS\n";
   for (std::size_t k = 0; k < figure.groups.size(); ++k) {
-    text += Quoted(figure.groups[k]);
+    text += GnuplotText(figure.groups[k]);
     for (const BarFigure::Series& series : figure.series) {
       const Estimate& bar = series.bars.at(k);
-      text += fmt::format(" {} {} {}", Number(bar.value), Number(bar.low), Number(bar.high));
+      text += fmt::format(
+          " {} {} {}", GnuplotNumber(bar.value), GnuplotNumber(bar.low), GnuplotNumber(bar.high));
     }
     text += "\n";
   }
@@ -71,14 +57,13 @@ std::string PlotCommand(const BarFigure& figure) {
   std::string text = "plot ";
   for (std::size_t i = 0; i < figure.series.size(); ++i) {
     const std::size_t column = 2 + 3 * i;
-    text += fmt::format(
-        "{}$bars using {}:{}:{}:xtic(1) title {} linecolor rgb \"{}\"",
-        i == 0 ? "" : ", ",
-        column,
-        column + 1,
-        column + 2,
-        Quoted(figure.series[i].name),
-        std::array{"#14766f", "#c25a24", "#5566a8", "#8a7a2b", "#8b4a7d", "#5f6670"}[i % 6]);
+    text += fmt::format("{}$bars using {}:{}:{}:xtic(1) title {} linecolor rgb {}",
+                        i == 0 ? "" : ", ",
+                        column,
+                        column + 1,
+                        column + 2,
+                        GnuplotText(figure.series[i].name),
+                        GnuplotColour(i));
   }
   return text + "\n";
 }
@@ -105,41 +90,25 @@ void AddBars(const BarFigure& figure, SvgFigure& plot) {
   }
 }
 
-// In the child: only calls that are allowed between fork and exec.
-[[noreturn]] void BecomeGnuplot(const char* folder, const char* file) {
-  const int nowhere = ::open("/dev/null", O_RDWR);
-  if (nowhere < 0 || ::dup2(nowhere, STDOUT_FILENO) < 0 || ::dup2(nowhere, STDERR_FILENO) < 0 ||
-      ::chdir(folder) != 0) {
-    ::_exit(127);
-  }
-  ::execlp("gnuplot", "gnuplot", file, nullptr);
-  ::_exit(127);
-}
-
 }  // namespace
 
 std::string GnuplotProgram(const BarFigure& figure, const std::string& name) {
   const Range range = RangeOf(figure);
-  std::string text = DataBlock(figure);
-  text += fmt::format(
-      "set termoption noenhanced\n"
-      "set title {} noenhanced\nset ylabel {} noenhanced\n"
-      "set style data histograms\nset style histogram errorbars gap 1.5 linewidth 1\n"
-      "set style fill solid 0.85 noborder\nset errorbars 0.4 front linewidth 1 linecolor rgb "
-      "\"#23262b\"\n"
-      "set yrange [{}:{}]\nset grid ytics linecolor rgb \"#dddddd\"\nset xzeroaxis\n"
-      "set xtics rotate by -30 noenhanced\nset key outside right top noenhanced\n",
-      Quoted(figure.title),
-      Quoted(figure.y_label),
-      Number(range.low),
-      Number(range.high));
-  for (const auto& [terminal, ending] :
-       {std::pair("svg size 960,420 noenhanced background \"#ffffff\"", "svg"),
-        std::pair("pdfcairo size 9.6in,4.2in noenhanced", "pdf")}) {
-    text += fmt::format("set terminal {}\nset output {}\n", terminal, Quoted(name + "." + ending));
-    text += PlotCommand(figure) + "unset output\n";
-  }
-  return text;
+  const std::string text =
+      DataBlock(figure) +
+      fmt::format(
+          "set termoption noenhanced\n"
+          "set title {} noenhanced\nset ylabel {} noenhanced\n"
+          "set style data histograms\nset style histogram errorbars gap 1.5 linewidth 1\n"
+          "set style fill solid 0.85 noborder\nset errorbars 0.4 front linewidth 1 linecolor rgb "
+          "\"#23262b\"\n"
+          "set yrange [{}:{}]\nset grid ytics linecolor rgb \"#dddddd\"\nset xzeroaxis\n"
+          "set xtics rotate by -30 noenhanced\nset key outside right top noenhanced\n",
+          GnuplotText(figure.title),
+          GnuplotText(figure.y_label),
+          GnuplotNumber(range.low),
+          GnuplotNumber(range.high));
+  return text + GnuplotOutputs(PlotCommand(figure), name);
 }
 
 SvgFigure PlotBars(const BarFigure& figure) {
@@ -158,16 +127,6 @@ SvgFigure PlotBars(const BarFigure& figure) {
                  kHeightPx);
   AddBars(figure, plot);
   return plot;
-}
-
-bool RunGnuplot(const std::filesystem::path& program) {
-  const std::string folder = std::filesystem::absolute(program).parent_path().string();
-  const std::string file = program.filename().string();
-  const pid_t child = ::fork();
-  if (child < 0) return false;
-  if (child == 0) BecomeGnuplot(folder.c_str(), file.c_str());
-  int status = 0;
-  return ::waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
 }  // namespace handcraft::experiments

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -30,8 +29,5 @@ struct BarFigure {
 
 /// The same, drawn by ourselves.
 [[nodiscard]] SvgFigure PlotBars(const BarFigure& figure);
-
-/// Runs gnuplot on the program, from its folder. False when there is no gnuplot or it fails.
-[[nodiscard]] bool RunGnuplot(const std::filesystem::path& program);
 
 }  // namespace handcraft::experiments

@@ -57,6 +57,58 @@ auto ReadFrom(const Json& json) {
   return [&json](const std::string& name, auto& number) { ReadNumber(json.at(name), number); };
 }
 
+// At most kMaxCurvePoints of them, both ends kept.
+template <class Point>
+std::vector<Point> Thinned(const std::vector<Point>& curve) {
+  constexpr std::size_t kMost = PixelCurves::kMaxCurvePoints;
+  if (curve.size() <= kMost) return curve;
+  std::vector<Point> kept;
+  kept.reserve(kMost);
+  for (std::size_t k = 0; k < kMost; ++k) {
+    kept.push_back(curve[k * (curve.size() - 1) / (kMost - 1)]);
+  }
+  return kept;
+}
+
+PixelCurves CurvesOf(const GraspPointEvaluation& evaluation) {
+  const PooledPixels pooled = PoolPixels(evaluation.images);
+  return {
+      .roc = Thinned(evaluation.roc),
+      .precision_recall = Thinned(evaluation.precision_recall),
+      .reliability = BinProbabilities(pooled.probabilities, pooled.labels, kNumReliabilityBins)};
+}
+
+Json ToJson(const PixelCurves& curves) {
+  Json json = {
+      {"roc", Json::array()}, {"precision_recall", Json::array()}, {"reliability", Json::array()}};
+  for (const RocPoint& point : curves.roc) {
+    json["roc"].push_back({point.false_positive_rate, point.true_positive_rate});
+  }
+  for (const PrecisionRecallPoint& point : curves.precision_recall) {
+    json["precision_recall"].push_back({point.recall, point.precision});
+  }
+  for (const ProbabilityBin& bin : curves.reliability) {
+    json["reliability"].push_back(
+        {bin.low, bin.high, bin.num_good, bin.num_bad, bin.mean_probability});
+  }
+  return json;
+}
+
+PixelCurves CurvesFrom(const Json& json) {
+  PixelCurves curves;
+  for (const Json& point : json.at("roc")) curves.roc.push_back({point.at(0), point.at(1)});
+  for (const Json& point : json.at("precision_recall")) {
+    curves.precision_recall.push_back({point.at(0), point.at(1)});
+  }
+  for (const Json& entry : json.at("reliability")) {
+    ProbabilityBin bin{
+        .low = entry.at(0), .high = entry.at(1), .num_good = entry.at(2), .num_bad = entry.at(3)};
+    ReadNumber(entry.at(4), bin.mean_probability);
+    curves.reliability.push_back(bin);
+  }
+  return curves;
+}
+
 Json ToJson(const CellResult& result) {
   Json json = {{"cell", result.id}, {"termination", result.termination}};
   VisitTrainingColumns(result, WriteInto(json));
@@ -73,6 +125,7 @@ Json ToJson(const CellResult& result) {
     VisitImageColumns(image, WriteInto(entry));
     json["images"].push_back(std::move(entry));
   }
+  json["curves"] = ToJson(result.curves);
   json["num_images_without_region"] = result.search_space.num_images_without_region;
   json["search_stages"] = Json::array();
   for (const SearchStageFigures& stage : result.search_space.stages) {
@@ -97,6 +150,7 @@ CellResult FromJson(const Json& json) {
     VisitImageColumns(image, ReadFrom(entry));
     result.images.push_back(std::move(image));
   }
+  result.curves = CurvesFrom(json.at("curves"));
   ReadNumber(json.at("num_images_without_region"), result.search_space.num_images_without_region);
   for (const Json& entry : json.at("search_stages")) {
     SearchStageFigures stage{.stage = entry.at("stage")};
@@ -119,6 +173,7 @@ CellResult MakeCellResult(const std::string& id,
                     .termination = training.termination,
                     .training_log_loss = training.log_loss,
                     .groups = evaluation.classes,
+                    .curves = CurvesOf(evaluation),
                     .search_space = SearchSpaceOf(evaluation.images),
                     .features_time_s = training.features_time_s,
                     .training_time_s = training.training_time_s,

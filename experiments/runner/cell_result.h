@@ -11,6 +11,7 @@
 #include "datasets/formats/labelled_image_set.h"
 #include "experiments/evaluation/grasp_point_evaluation.h"
 #include "experiments/evaluation/grasp_point_figures.h"
+#include "experiments/metrics/probability_bins.h"
 #include "experiments/runner/cell_training.h"
 #include "experiments/runner/search_space_figures.h"
 
@@ -27,6 +28,14 @@ struct ImageFigures {
   double squared_error_sum = 0.0;  ///< over those pixels
 };
 
+/// The curves of a cell over all its pictures, for the report.
+struct PixelCurves {
+  std::vector<RocPoint> roc = {};                           ///< at most kMaxCurvePoints
+  std::vector<PrecisionRecallPoint> precision_recall = {};  ///< as many at most
+  std::vector<ProbabilityBin> reliability = {};             ///< kNumReliabilityBins
+  static constexpr std::size_t kMaxCurvePoints = 101;
+};
+
 /// Processor-independent results of a cell, and beside them its times.
 struct CellResult {
   std::string id = {};
@@ -37,6 +46,7 @@ struct CellResult {
   double training_log_loss = 0.0;
   std::vector<GroupFigures> groups = {};  ///< the classes by name, then "all"
   std::vector<ImageFigures> images = {};  ///< in the order of the set
+  PixelCurves curves = {};
   SearchSpaceFigures search_space = {};
   double features_time_s = 0.0;
   double training_time_s = 0.0;

@@ -66,9 +66,12 @@ bool HasDepth(const datasets::LabelledImage& item) {
 }
 
 datasets::OrganisedCloud CloudOf(const datasets::LabelledImageSet& set,
-                                 const datasets::LabelledImage& item) {
+                                 const datasets::LabelledImage& item,
+                                 const Image& picture) {
   const std::string cloud = item.Companion(datasets::kCloud);
-  if (!cloud.empty()) return datasets::ReadPcd(set.root / cloud);
+  if (!cloud.empty()) {
+    return datasets::ReadCloudOfPicture(set.root / cloud, datasets::SizeOf(picture));
+  }
   const std::string depth = item.Companion(datasets::kDepth);
   const std::string scene = item.Companion(datasets::kScene);
   const synthetic::PinholeCamera camera = synthetic::ReadCameraFile(set.root / kParameters).camera;
@@ -87,7 +90,7 @@ perception::SearchRegion FindObjectRegion(const datasets::LabelledImageSet& set,
                                           std::size_t item,
                                           const Image& picture) {
   HC_CHECK(HasDepth(set.items.at(item)), set.items[item].image);
-  const datasets::OrganisedCloud cloud = CloudOf(set, set.items.at(item));
+  const datasets::OrganisedCloud cloud = CloudOf(set, set.items.at(item), picture);
   if (cloud.width != picture.width() || cloud.height != picture.height()) {
     throw Error({.path = (set.root / set.items[item].image).string(),
                  .reason = "is of another size than its cloud"});

@@ -8,27 +8,17 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/metrics/grouped_ratio.h"
+
 namespace handcraft::experiments {
 namespace {
 
-// A figure is a sum over pictures divided by another.
-struct Ratio {
-  double sum = 0.0;
-  double count = 0.0;
-  Ratio& operator+=(const Ratio& other) {
-    sum += other.sum;
-    count += other.count;
-    return *this;
-  }
-  [[nodiscard]] double Value() const { return sum / count; }  // NaN when both are 0
-};
-
 // The four figures of a picture.
 struct Sums {
-  Ratio best;
-  Ratio right;
-  Ratio log_loss;
-  Ratio squared_error;
+  GroupRatio best;
+  GroupRatio right;
+  GroupRatio log_loss;
+  GroupRatio squared_error;
 };
 
 void Add(const ImageFigures& image, Sums& sums) {
@@ -50,78 +40,55 @@ bool IsOf(const std::string& object_class, const ImageFigures& image) {
   return object_class.empty() || image.object_class == object_class;
 }
 
-// The pictures that both cells of a repetition have, added to those of other repetitions.
-void AddRepetition(const CellResult& ours,
-                   const CellResult& baseline,
-                   const std::string& object_class,
-                   std::map<std::string, Pair>& pairs) {
-  std::map<std::string, const ImageFigures*> of_baseline;
-  for (const ImageFigures& image : baseline.images) of_baseline[image.image] = &image;
-  for (const ImageFigures& image : ours.images) {
-    const auto other = of_baseline.find(image.image);
-    if (other == of_baseline.end() || !IsOf(object_class, image)) continue;
-    Pair& pair = pairs[image.image];
-    Add(image, pair.ours);
-    Add(*other->second, pair.baseline);
-  }
-}
-
+// What both sides gave on each picture, in the order in which pictures come first: that of the one
+// cell, if there is one, so that its figures have the intervals that it has by itself.
 std::vector<Pair> PairUp(Repetitions cells, Repetitions baseline, const std::string& object_class) {
-  std::map<std::string, Pair> by_image;
-  for (std::size_t i = 0; i < std::min(cells.size(), baseline.size()); ++i) {
-    AddRepetition(*cells[i], *baseline[i], object_class, by_image);
-  }
   std::vector<Pair> pairs;
-  pairs.reserve(by_image.size());
-  for (auto& [name, pair] : by_image) pairs.push_back(pair);
+  std::map<std::string, std::size_t> places;
+  for (std::size_t i = 0; i < std::min(cells.size(), baseline.size()); ++i) {
+    std::map<std::string, const ImageFigures*> of_baseline;
+    for (const ImageFigures& image : baseline[i]->images) of_baseline[image.image] = &image;
+    for (const ImageFigures& image : cells[i]->images) {
+      const auto other = of_baseline.find(image.image);
+      if (other == of_baseline.end() || !IsOf(object_class, image)) continue;
+      const auto place = places.emplace(image.image, pairs.size());
+      if (place.second) pairs.emplace_back();
+      Pair& pair = pairs[place.first->second];
+      Add(image, pair.ours);
+      Add(*other->second, pair.baseline);
+    }
+  }
   return pairs;
 }
 
-template <class Statistic>
-Estimate EstimateOf(const std::vector<Pair>& pairs,
-                    Ratio Sums::*figure,
-                    const BootstrapOptions& options,
-                    const Statistic& statistic) {
+// Of the figures of both sides.
+Estimate EstimateDifference(const std::vector<Pair>& pairs,
+                            GroupRatio Sums::*figure,
+                            const BootstrapOptions& options) {
   return BootstrapOverGroups(
       pairs.size(),
       [&](std::span<const std::size_t> drawn) {
-        Ratio ours;
-        Ratio baseline;
+        GroupRatio ours;
+        GroupRatio baseline;
         for (const std::size_t i : drawn) {
           ours += pairs[i].ours.*figure;
           baseline += pairs[i].baseline.*figure;
         }
-        return statistic(ours, baseline);
+        return ours.Value() - baseline.Value();
       },
       options.resamples,
       options.seed,
       options.num_threads);
 }
 
-template <class Statistic>
-PooledFigures Bootstrap(const std::vector<Pair>& pairs,
-                        const BootstrapOptions& options,
-                        const Statistic& statistic) {
-  const auto estimate = [&](Ratio Sums::*figure) {
-    return EstimateOf(pairs, figure, options, statistic);
-  };
-  return {.num_images = pairs.size(),
+// estimate(figure) for each of the four.
+template <class MakeEstimate>
+PooledFigures MakeFigures(std::size_t num_images, const MakeEstimate& estimate) {
+  return {.num_images = num_images,
           .best_pixel_accuracy = estimate(&Sums::best),
           .accuracy = estimate(&Sums::right),
           .log_loss = estimate(&Sums::log_loss),
           .brier = estimate(&Sums::squared_error)};
-}
-
-// A share of 0 or 1 leaves the bootstrap nothing to vary: the interval is then Wilson's, with as
-// many trials as pictures that count.
-void WidenCertainty(const std::vector<Pair>& pairs, Ratio Sums::*figure, Estimate& share) {
-  const auto counted = static_cast<std::size_t>(
-      std::count_if(pairs.begin(), pairs.end(), [figure](const Pair& pair) {
-        return (pair.ours.*figure).count > 0.0;
-      }));
-  if (counted < 2) return;
-  if (share.value == 0.0) share = WilsonInterval(0, counted);
-  if (share.value == 1.0) share = WilsonInterval(counted, counted);
 }
 
 }  // namespace
@@ -130,27 +97,29 @@ PooledFigures PoolFigures(Repetitions cells,
                           const std::string& object_class,
                           const BootstrapOptions& options) {
   const std::vector<Pair> pairs = PairUp(cells, cells, object_class);
-  PooledFigures figures =
-      Bootstrap(pairs, options, [](const Ratio& ours, const Ratio&) { return ours.Value(); });
-  WidenCertainty(pairs, &Sums::best, figures.best_pixel_accuracy);
-  WidenCertainty(pairs, &Sums::right, figures.accuracy);
-  return figures;
+  return MakeFigures(pairs.size(), [&](GroupRatio Sums::*figure) {
+    std::vector<GroupRatio> images;
+    images.reserve(pairs.size());
+    for (const Pair& pair : pairs) images.push_back(pair.ours.*figure);
+    const bool is_share = figure == &Sums::best || figure == &Sums::right;
+    const auto estimate = is_share ? EstimateShare : EstimateRatio;
+    return estimate(images, options.resamples, options.seed, options.num_threads);
+  });
 }
 
 Difference CompareFigures(Repetitions cells,
                           Repetitions baseline,
                           const std::string& object_class,
                           const BootstrapOptions& options) {
-  const auto subtract = [](const Ratio& ours, const Ratio& other) {
-    return ours.Value() - other.Value();
-  };
   std::vector<Pair> pairs = PairUp(cells, baseline, object_class);
-  Difference difference{Bootstrap(pairs, options, subtract)};
+  Difference difference{MakeFigures(pairs.size(), [&](GroupRatio Sums::*figure) {
+    return EstimateDifference(pairs, figure, options);
+  })};
   std::erase_if(pairs, [](const Pair& pair) {
     return !(pair.ours.best.count > 0.0 && pair.baseline.best.count > 0.0);
   });
   difference.num_images_with_both = pairs.size();
-  difference.best_pixel_accuracy_with_both = EstimateOf(pairs, &Sums::best, options, subtract);
+  difference.best_pixel_accuracy_with_both = EstimateDifference(pairs, &Sums::best, options);
   return difference;
 }
 

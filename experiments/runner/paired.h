@@ -23,7 +23,8 @@ struct BootstrapOptions {
 };
 
 /// What a method does over all repetitions, each figure with its 95 % interval. Pictures are the
-/// groups of the bootstrap: a picture is drawn with what it gave in every repetition.
+/// groups of the bootstrap: a picture is drawn with what it gave in every repetition. With one
+/// repetition they are the figures and intervals of its GroupFigures, bit for bit.
 struct PooledFigures {
   std::size_t num_images = 0;
   Estimate best_pixel_accuracy = {};  ///< docs/evaluation.md
@@ -40,8 +41,8 @@ struct Difference : PooledFigures {
   Estimate best_pixel_accuracy_with_both = {};
 };
 
-/// Over the pictures of a class, over all when `object_class` is empty. A share of exactly 0 or 1
-/// has the interval of Wilson with as many trials as pictures that count.
+/// Over the pictures of a class, over all when `object_class` is empty; by EstimateShare and
+/// EstimateRatio (grouped_ratio.h).
 [[nodiscard]] PooledFigures PoolFigures(Repetitions cells,
                                         const std::string& object_class,
                                         const BootstrapOptions& options);

@@ -4,9 +4,11 @@
 #pragma once
 
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "experiments/runner/bar_figure.h"
+#include "experiments/runner/line_figure.h"
 #include "experiments/runner/study_summary.h"
 
 namespace handcraft::experiments {
@@ -14,12 +16,14 @@ namespace handcraft::experiments {
 /// A figure of the report and the name of its files.
 struct NamedFigure {
   std::string name;
-  BarFigure figure;
+  std::variant<BarFigure, LineFigure> figure;
 };
 
 /// Best-pixel accuracy by class, a bar a series (the dissertation's Figures 3.7 and 3.8); and how
 /// far each series is from the baseline on the same images, where there is another method; and how
-/// long scoring and training took (Figures 3.10 and 3.11), mean over repetitions.
+/// long scoring and training took, mean over repetitions: against the number of features (Figures
+/// 3.10 and 3.11), a line for each number of filters, classifier, region and choice of other
+/// factors; bars where all methods have as many features.
 [[nodiscard]] std::vector<NamedFigure> FiguresOf(const StudyRun& run, const StudySummary& summary);
 
 }  // namespace handcraft::experiments

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "experiments/evaluation/confusion_table.h"
 #include "experiments/evaluation/html_text.h"
+#include "experiments/evaluation/pixel_cards.h"
 #include "experiments/runner/summary_markdown.h"
 
 namespace handcraft::experiments {
@@ -64,7 +64,7 @@ std::string ByClassText(const StudySummary& summary) {
   }
   return "<h2>Best-pixel accuracy by class</h2>\n<p class=\"note\">Of the up to 15 best pixels of "
          "each image that lie on labelled ground, those on good ground; 95 % intervals over "
-         "images.</p>\n<div class=\"scroll\"><table>" +
+         "images, an image with all its repetitions together.</p>\n<div class=\"scroll\"><table>" +
          HeadRow(head) + "<tbody>\n" + rows + "</tbody></table></div>\n";
 }
 
@@ -118,18 +118,29 @@ std::string FiguresText(const std::vector<PageFigure>& figures) {
   return text;
 }
 
-std::string ConfusionsText(const StudySummary& summary) {
-  std::string cards;
+std::string PixelsText(const StudyRun& run, const StudySummary& summary) {
+  const EvaluationOptions defaults;  // a study does not change these thresholds
+  std::string text =
+      "<h2>Labelled pixels</h2>\n<p class=\"note\">As many good as bad in each image. Areas and "
+      "average precision with 95 % intervals over images, means over repetitions; confusion "
+      "matrices (counts, and their share of the row) and reliability of all repetitions together, "
+      "curves of the first.</p>\n";
   for (const SeriesSummary& series : summary.series) {
-    cards += fmt::format("<figure class=\"card\"><h3>{}, AUC {}</h3>\n{}</figure>\n",
-                         EscapeHtml(series.label),
-                         DecimalText(series.auc, 3),
-                         ConfusionTable(series.confusion, EvaluationOptions{}.threshold));
+    const PixelCurves& curves = run.results[series.cells.front()].curves;
+    text += fmt::format("<h2>{}</h2>\n<div class=\"plots\">\n{}</div>\n",
+                        EscapeHtml(series.label),
+                        PixelCards({.confusion = series.confusion,
+                                    .threshold = defaults.threshold,
+                                    .strict_confusion = series.strict_confusion,
+                                    .strict_threshold = defaults.best_min_probability,
+                                    .auc = series.auc,
+                                    .average_precision = series.average_precision,
+                                    .brier = series.by_class.back().figures.brier.value,
+                                    .roc = curves.roc,
+                                    .precision_recall = curves.precision_recall,
+                                    .reliability = series.reliability}));
   }
-  return "<h2>Labelled pixels</h2>\n<p class=\"note\">As many good as bad in each image; counts, "
-         "and "
-         "their share of the row.</p>\n<div class=\"plots\">\n" +
-         cards + "</div>\n";
+  return text;
 }
 
 std::string StageRows(const SeriesSummary& series) {
@@ -221,7 +232,7 @@ std::string MakeStudyPage(const StudyRun& run,
                           const std::vector<Example>& examples) {
   return MakeHtmlPage(run.study.title,
                       HeaderText(run, summary) + ByClassText(summary) + FiguresText(figures) +
-                          DifferencesText(run.study, summary) + ConfusionsText(summary) +
+                          DifferencesText(run.study, summary) + PixelsText(run, summary) +
                           SearchSpaceText(summary) + ExamplesText(examples) +
                           FooterText(run, summary));
 }

@@ -18,8 +18,8 @@ struct PageFigure {
 };
 
 /// report.html: one page that opens offline, with tables (accuracy by class as a heat map,
-/// differences to the baseline), figures, confusion matrices and example pictures. Pure: the same
-/// contents give the same bytes.
+/// differences to the baseline), figures, each method's confusion matrices and curves, and
+/// examples. Pure: the same contents give the same bytes.
 [[nodiscard]] std::string MakeStudyPage(const StudyRun& run,
                                         const StudySummary& summary,
                                         const std::vector<PageFigure>& figures,

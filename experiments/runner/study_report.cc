@@ -3,6 +3,9 @@
 
 #include "experiments/runner/study_report.h"
 
+#include <variant>
+
+#include "experiments/runner/gnuplot.h"
 #include "experiments/runner/study_examples.h"
 #include "experiments/runner/study_figures.h"
 #include "experiments/runner/study_page.h"
@@ -16,14 +19,21 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxExamples = 5;
 
+SvgFigure Plot(const BarFigure& figure) { return PlotBars(figure); }
+SvgFigure Plot(const LineFigure& figure) { return PlotLines(figure); }
+
 // The SVG of a figure, by gnuplot where there is one.
-PageFigure WriteFigure(const fs::path& folder, const NamedFigure& figure, bool& has_gnuplot) {
-  const fs::path program = folder / (figure.name + ".gnuplot");
-  const fs::path svg = folder / (figure.name + ".svg");
-  WriteFileAtomically(program, GnuplotProgram(figure.figure, figure.name));
-  has_gnuplot = has_gnuplot && RunGnuplot(program);
-  if (!has_gnuplot) WriteFileAtomically(svg, PlotBars(figure.figure).ToFileText());
-  return {figure.figure.title, ReadTextFile(svg)};
+PageFigure WriteFigure(const fs::path& folder, const NamedFigure& named, bool& has_gnuplot) {
+  const fs::path program = folder / (named.name + ".gnuplot");
+  const fs::path svg = folder / (named.name + ".svg");
+  return std::visit(
+      [&](const auto& figure) -> PageFigure {
+        WriteFileAtomically(program, GnuplotProgram(figure, named.name));
+        has_gnuplot = has_gnuplot && RunGnuplot(program);
+        if (!has_gnuplot) WriteFileAtomically(svg, Plot(figure).ToFileText());
+        return {figure.title, ReadTextFile(svg)};
+      },
+      named.figure);
 }
 
 }  // namespace

@@ -36,10 +36,12 @@ CellResult WorkOut(const Study& study,
       TrainCell(divided.train, cell.settings, study.split, cell.seed, num_threads);
   WriteFileAtomically(model_file, training.model);
   const LoadedModel model = LoadModel(training.model);
-  EvaluationOptions options{.pixels_per_image = study.pixels_per_image,
-                            .bootstrap_resamples = study.bootstrap_resamples,
-                            .seed = study.seed,
-                            .num_threads = num_threads};
+  EvaluationOptions options{
+      .pixels_per_image = study.pixels_per_image,
+      .bootstrap_resamples = study.bootstrap_resamples,
+      .seed = study.seed,
+      .num_threads = num_threads,
+      .data_fingerprint = data.test ? data.test_fingerprint : data.train_fingerprint};
   if (cell.settings.region == TestRegion::kObject) {
     options.region = [&divided](std::size_t item, const Image& picture) {
       return FindObjectRegion(divided.test, item, picture);

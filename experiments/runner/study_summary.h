@@ -24,9 +24,14 @@ struct SeriesSummary {
   std::string method;
   std::vector<std::size_t> cells = {};      ///< index into the run, one a repetition
   std::vector<ClassSummary> by_class = {};  ///< as StudySummary.classes, all at the end
-  double auc = 0.0;                         ///< over all pictures, mean over repetitions
-  ConfusionMatrix confusion = {};           ///< of all repetitions together
-  SearchSpaceFigures search_space = {};     ///< without stages where there is no region
+  /// Over all pictures, means over repetitions: of the figures of the cells, and of the ends of
+  /// their intervals, which are thus a cell's own where there is one repetition.
+  Estimate auc = {};
+  Estimate average_precision = {};
+  ConfusionMatrix confusion = {};                ///< of all repetitions together
+  ConfusionMatrix strict_confusion = {};         ///< the same, at 0.9
+  std::vector<ProbabilityBin> reliability = {};  ///< the same
+  SearchSpaceFigures search_space = {};          ///< without stages where there is no region
 };
 
 /// Whether a publication's claim holds on these data.

@@ -101,7 +101,7 @@ std::string ClassifierText(const StudyRun& run, const StudySummary& summary) {
     text += Row({series.label,
                  std::to_string(first.num_features),
                  std::to_string(first.num_samples),
-                 DecimalText(series.auc, 3),
+                 DecimalEstimateText(series.auc, 3),
                  ShareText(figures.accuracy),
                  DecimalText(figures.log_loss.value, 4),
                  DecimalText(figures.brier.value, 4)});
@@ -173,7 +173,10 @@ std::string SummaryMarkdown(const StudyRun& run, const StudySummary& summary) {
   const Study& study = run.study;
   std::string text = fmt::format("# {}\n\n", study.title);
   if (!study.question.empty()) text += study.question + "\n\n";
-  text += "## Best-pixel accuracy\n\nWith 95 % intervals over images.\n\n" + ByClassText(summary);
+  text +=
+      "## Best-pixel accuracy\n\nWith 95 % intervals over images, an image with all its "
+      "repetitions together.\n\n" +
+      ByClassText(summary);
   const std::string differences = DifferencesText(summary);
   text += fmt::format(
       "\n## Difference to {}\n\nOn the same images; 95 % intervals of the paired "

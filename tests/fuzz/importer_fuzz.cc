@@ -101,6 +101,7 @@ void ReadCloud(const FuzzedFile& file) {
   const OrganisedCloud cloud = ReadPcd(file.path());
   Require(cloud.points.size() ==
           static_cast<std::size_t>(cloud.width) * static_cast<std::size_t>(cloud.height));
+  if (cloud.height == 1) Require(ReadCloudOfPicture(file.path(), {3, 2}).points.size() == 6);
 }
 
 void ReadRectangles(const FuzzedFile& file) { MakeMaskOf(ReadCornellRectangles(file.path())); }

@@ -98,6 +98,7 @@ def numbers():
     yield "mat_text", MAT, mat(mat_matrix((1, 2), b"ab", array_class=4))
     yield "pcd_ascii", PCD, pcd("ascii", b"1 2 3 0\nnan nan nan 0\n")
     yield "pcd_binary", PCD, pcd("binary", struct.pack("<8f", *range(8)))
+    yield "pcd_indexed", PCD, pcd("ascii", b"1 2 3 5\nnan nan nan 0\n").replace(b"rgb", b"index")
     data = struct.pack("<8f", *range(8))  # as literal runs of LZF: 31 and the bytes
     packed = b"\x1f" + data
     yield "pcd_compressed", PCD, pcd("binary_compressed",

@@ -90,10 +90,12 @@ perception::SearchRegion FindRegion(const SearchInput& search,
   perception::SearchRegion region =
       perception::SearchRegionFinder(RegionOptions(search)).Find(image, cloud.View());
   if (region.HasRegion()) return region;
-  throw Error({.kind = Error::Kind::kNoResult,
-               .path = path,
-               .reason = std::string(perception::MessageOf(region.state)),
-               .remedy = "look at --up, --up-angle and --table-distance, or leave the depth out"});
+  throw Error(
+      {.kind = Error::Kind::kNoResult,
+       .path = path,
+       .reason = std::string(perception::MessageOf(region.state)),
+       .remedy =
+           "look at --up, --up-angle, --table-distance and --cloud-unit, or leave the depth out"});
 }
 
 Prediction Predict(const hc_model* model, const std::string& path, const PredictOptions& options) {

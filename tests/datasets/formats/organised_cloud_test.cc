@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -158,6 +159,97 @@ TEST_F(OrganisedCloudTest, RefusesDamagedCompression) {
   ExpectRefused(
       Header("200000000", "binary_compressed") + Raw<std::uint32_t>({13, 2400000000U}) + packed,
       "a damaged LZF stream");
+}
+
+std::string IndexedHeader(std::string_view points, std::string_view data, std::string_view type) {
+  return "VERSION 0.7\nFIELDS index x y z\nSIZE 4 4 4 4\nTYPE " + std::string(type) +
+         " F F F\nWIDTH " + std::string(points) + "\nHEIGHT 1\nVIEWPOINT 1 2 3 1 0 0 0\nPOINTS " +
+         std::string(points) + "\nDATA " + std::string(data) + "\n";
+}
+
+class CloudOfPictureTest : public OrganisedCloudTest {
+ protected:
+  // Of a picture of 3 × 2.
+  [[nodiscard]] OrganisedCloud Read(std::string_view text,
+                                    std::optional<float> unit_m = std::nullopt) const {
+    WriteFileAtomically(folder_ / "a.pcd", text);
+    return ReadCloudOfPicture(folder_ / "a.pcd", {3, 2}, unit_m);
+  }
+  void ExpectRefused(const std::string& text, const std::string& message) const {
+    EXPECT_THROWS_MESSAGE(Read(text), Error, HasSubstr(message));
+  }
+  // (1, 2, 3) at pixel (2, 1), nothing at (0, 0), nowhere else anything.
+  static void ExpectPointAtItsPixel(const OrganisedCloud& cloud, const std::string& which) {
+    ASSERT_EQ(cloud.width, 3) << which;
+    ASSERT_EQ(cloud.height, 2) << which;
+    ASSERT_EQ(cloud.points.size(), 6U) << which;
+    EXPECT_EQ(cloud.At(2, 1), Vector3f(1.0F, 2.0F, 3.0F)) << which;
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_FALSE(IsMeasured(cloud.points[i])) << which;
+    EXPECT_EQ(cloud.base_from_camera.translation(), Vector3f(1.0F, 2.0F, 3.0F)) << which;
+  }
+};
+
+TEST_F(CloudOfPictureTest, PutsPointsWhereTheirIndicesSay) {
+  for (const char* type : {"U", "I", "F"}) {
+    ExpectPointAtItsPixel(Read(IndexedHeader("2", "ascii", type) + "5 1 2 3\n0 nan 1 1\n"),
+                          std::string("ascii ") + type);
+  }
+  const std::string whole = Raw<std::uint32_t>({5}) + Raw<float>({1, 2, 3}) +
+                            Raw<std::uint32_t>({0}) + Raw<float>({1, kNaN, 1});
+  ExpectPointAtItsPixel(Read(IndexedHeader("2", "binary", "U") + whole), "binary U");
+  ExpectPointAtItsPixel(Read(IndexedHeader("2", "binary", "I") + whole), "binary I");
+  ExpectPointAtItsPixel(
+      Read(IndexedHeader("2", "binary", "F") + Raw<float>({5, 1, 2, 3, 0, 1, kNaN, 1})),
+      "binary F");
+  // Field by field, in one run of 32 bytes.
+  const std::string columns = Raw<std::uint32_t>({5, 0}) + Raw<float>({1, 1, 2, kNaN, 3, 1});
+  ExpectPointAtItsPixel(Read(IndexedHeader("2", "binary_compressed", "U") +
+                             Raw<std::uint32_t>({33, 32}) + "\x1f" + columns),
+                        "compressed");
+}
+
+TEST_F(CloudOfPictureTest, TakesTheUnitOfTheFileOrTheGivenOne) {
+  const std::string cornell =
+      "# .PCD v.7 - Point Cloud Data file format\nFIELDS x y z rgb index\nSIZE 4 4 4 4 4\n"
+      "TYPE F F F F U\nCOUNT 1 1 1 1 1\nWIDTH 3\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 3\n"
+      "DATA ascii\n1924.064 -647.111 -119.4176 0 5\r\n1.5 2 3 2.3e-38 1\nnan nan nan 0 2\n";
+  const OrganisedCloud cloud = Read(cornell);
+  EXPECT_TRUE(cloud.At(2, 1).isApprox(Vector3f(1.924064F, -0.647111F, -0.1194176F), 1e-6F));
+  EXPECT_TRUE(cloud.At(1, 0).isApprox(Vector3f(0.0015F, 0.002F, 0.003F), 1e-6F));
+  EXPECT_FALSE(IsMeasured(cloud.At(2, 0))) << "NaN";
+  EXPECT_FALSE(IsMeasured(cloud.At(0, 0))) << "no line";
+  EXPECT_EQ(Read(cornell, 1.0F).At(1, 0), Vector3f(1.5F, 2.0F, 3.0F));
+  const std::string ours = IndexedHeader("1", "ascii", "U") + "5 1 2 3\n";
+  EXPECT_EQ(Read(ours, 0.5F).At(2, 1), Vector3f(0.5F, 1.0F, 1.5F));
+}
+
+TEST_F(CloudOfPictureTest, TakesAnOrganisedCloudAsItIs) {
+  const OrganisedCloud cloud{.width = 3, .height = 2, .points = {6, Vector3f(1, 2, 3)}};
+  WritePcd(folder_ / "a.pcd", cloud);
+  EXPECT_EQ(ReadCloudOfPicture(folder_ / "a.pcd", {3, 2}).points, cloud.points);
+  EXPECT_THROWS_MESSAGE(ReadCloudOfPicture(folder_ / "a.pcd", {2, 3}),
+                        Error,
+                        HasSubstr("a.pcd: the cloud is 3x2 pixels, its picture 2x3"));
+  const std::string row = Header("2", "ascii") + "1 2 3\n4 5 6\n";
+  WriteFileAtomically(folder_ / "row.pcd", row);
+  EXPECT_EQ(ReadCloudOfPicture(folder_ / "row.pcd", {2, 1}).At(1, 0), Vector3f(4, 5, 6))
+      << "a picture of one row";
+  ExpectRefused(row, "an unorganised cloud (HEIGHT 1) without a field 'index' of four bytes");
+  ExpectRefused(row, "organised, 3 × 2 pixels, or with an index, row · width + column");
+}
+
+TEST_F(CloudOfPictureTest, NamesThePointAndTheIndexThatIsNoPixel) {
+  const std::string header = IndexedHeader("2", "ascii", "F");
+  ExpectRefused(header + "0 1 2 3\n6 1 2 3\n", "point 2 of 2: index 6 is outside the picture of 3");
+  ExpectRefused(header + "-1 1 2 3\n0 1 2 3\n", "point 1 of 2: index -1 is outside the picture");
+  ExpectRefused(header + "nan 1 2 3\n0 1 2 3\n", "point 1 of 2: index nan is outside");
+  ExpectRefused(header + "1.5 1 2 3\n0 1 2 3\n", "point 1 of 2: index 1.5 is no whole number");
+  ExpectRefused(header + "4 1 2 3\n4 1 2 3\n", "point 2 of 2: index 4 is there twice");
+  ExpectRefused(header + "4 nan 2 3\n4 1 2 3\n", "index 4 is there twice");
+  ExpectRefused(header + "four 1 2 3\n4 1 2 3\n", "a.pcd:10: 'four' where an index is due");
+  ExpectRefused(IndexedHeader("1", "binary", "I") + Raw<std::int32_t>({-7}) + Raw<float>({1, 2, 3}),
+                "point 1 of 1: index -7 is outside the picture of 3 × 2 pixels");
+  ExpectRefused(IndexedHeader("268435456", "binary", "U"), "268435456 points of 16 bytes are due");
 }
 
 TEST_F(OrganisedCloudTest, RefusesAMissingFile) {

@@ -61,6 +61,31 @@ TEST(ReadPcdHeader, TakesCarriageReturnsAndDoesWithoutCountAndViewpoint) {
   EXPECT_TRUE(header.viewpoint.isApprox(Eigen::Isometry3f::Identity()));
 }
 
+TEST(ReadPcdHeader, FindsTheIndexOfThePixel) {
+  EXPECT_FALSE(Read(kGood).index);
+  const PcdHeader header = Read(With("rgba", "index"));
+  ASSERT_TRUE(header.index);
+  EXPECT_EQ(header.index->offset_bytes, 22U);
+  EXPECT_EQ(header.index->value, 7U);
+  EXPECT_EQ(header.index->type, 'U');
+  EXPECT_EQ(Read(With("label", "index")).index->offset_bytes, 0U);
+  EXPECT_FALSE(Read(With("_", "index")).index) << "two bytes, three of them";
+  std::string twice = With("rgba", "index");
+  EXPECT_THROWS_MESSAGE(Read(twice.replace(twice.find("label"), 5, "index")),
+                        Error,
+                        HasSubstr("a.pcd:3: field 'index' appears twice"));
+}
+
+TEST(ReadPcdHeader, KnowsTheFilesOfCornellByTheirMissingVersion) {
+  const std::string fields =
+      "FIELDS x y z rgb index\nSIZE 4 4 4 4 4\nTYPE F F F F U\nCOUNT 1 1 1 1 1\nWIDTH 2\n"
+      "HEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 2\nDATA ascii\n";
+  EXPECT_EQ(Read("# .PCD v.7 - Point Cloud Data file format\n" + fields).unit_m, 0.001F);
+  EXPECT_EQ(Read("VERSION 0.7\n" + fields).unit_m, 1.0F);
+  std::string other = fields;
+  ExpectRefused(other.replace(other.find("rgb"), 3, "hue"), "a PCD header without 'VERSION'");
+}
+
 TEST(ReadPcdHeader, RefusesWhatItDoesNotKnow) {
   ExpectRefused("", "a.pcd:1: the PCD header ends before a line DATA");
   ExpectRefused("\x89PNG\r\n\x1a\n", "a.pcd:1: no line of a PCD header");

@@ -55,7 +55,9 @@ TEST_F(ImportCornellTest, ReadsTheOriginalTree) {
   AddPicture("01", "0100");
   AddPicture("02", "0250");
   WriteText("02/pcd0250cneg.txt", "0 0\r\n3 0\r\n3 3\r\n0 3\r\n");
-  WriteText("01/pcd0100.txt", "FIELDS x y z rgb index\nPOINTS 1\nDATA ascii\n1500 0 -250 0 41\n");
+  WriteText("01/pcd0100.txt",
+            "FIELDS x y z rgb index\nSIZE 4 4 4 4 4\nTYPE F F F F U\nWIDTH 1\nHEIGHT 1\nPOINTS 1\n"
+            "DATA ascii\n1500 0 -250 0 41\n");
   WriteText("pcdb0002r.png", "a background, not read");
   const LabelledImageSet set = Import();
 

@@ -44,6 +44,12 @@ TEST(DataUri, NamesTheMediaType) {
   EXPECT_EQ(DataUri("image/png", std::vector<std::uint8_t>{'f'}), "data:image/png;base64,Zg==");
 }
 
+TEST(DecimalEstimateText, LeavesOutTheIntervalThatIsNot) {
+  EXPECT_EQ(DecimalEstimateText({0.8612, 0.84, 0.88}, 3), "0.861 [0.840, 0.880]");
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(DecimalEstimateText({0.5, nan, nan}, 3), "0.500");
+}
+
 TEST(NumberTexts, RoundAndMarkWhatIsUndefined) {
   EXPECT_EQ(PercentText(0.81251), "81.3 %");
   EXPECT_EQ(PercentText(kNaN), "–");

@@ -61,6 +61,39 @@ TEST(GroupedRanking, EqualsRocAucOfTheSamplesWrittenOut) {
   }
 }
 
+// Bit for bit, with ties, groups of one class, a last batch that is not full, and any threads.
+TEST(GroupedRanking, BootstrapsAsOneResampleAfterTheOther) {
+  for (const std::size_t num_groups : {std::size_t{1}, std::size_t{2}, std::size_t{13}}) {
+    Rng rng = Rng::Stream(3, "ranking", num_groups);
+    std::vector<double> scores;
+    std::vector<std::uint8_t> labels;
+    std::vector<std::size_t> groups;
+    for (std::size_t i = 0; i < 300; ++i) {
+      groups.push_back(rng.UniformInt(num_groups));
+      scores.push_back(static_cast<double>(rng.UniformInt(200)));
+      labels.push_back(groups.back() == 1 ? 1 : static_cast<std::uint8_t>(rng.UniformInt(2)));
+    }
+    const GroupedRanking ranking(scores, labels, groups, num_groups);
+    const auto expect_equal = [&](const Estimate& batched, auto figure) {
+      const Estimate single = BootstrapOverGroups(
+          num_groups,
+          [&](std::span<const std::size_t> drawn) { return (ranking.*figure)(drawn); },
+          43,
+          7);
+      EXPECT_EQ(batched.value, single.value) << num_groups;
+      for (double Estimate::*end : {&Estimate::low, &Estimate::high}) {
+        const bool are_none = std::isnan(batched.*end) && std::isnan(single.*end);
+        EXPECT_TRUE(are_none || batched.*end == single.*end) << num_groups;
+      }
+    };
+    for (const int num_threads : {1, 2}) {
+      const RankingEstimates estimates = ranking.Bootstrap(43, 7, num_threads);
+      expect_equal(estimates.auc, &GroupedRanking::Auc);
+      expect_equal(estimates.average_precision, &GroupedRanking::AveragePrecision);
+    }
+  }
+}
+
 TEST(GroupedRanking, AveragesPrecisionByHand) {
   // Group 0: good .9, bad .8; group 1: good .5, bad .5.
   const std::vector<double> scores = {0.9, 0.8, 0.5, 0.5};

@@ -3,14 +3,10 @@
 
 #include "experiments/runner/bar_figure.h"
 
-#include <filesystem>
 #include <limits>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "lib/core/file.h"
-#include "tests/support/temporary_directory.h"
 
 namespace handcraft::experiments {
 namespace {
@@ -54,21 +50,6 @@ TEST(PlotBars, DrawsBarsIntervalsAndNames) {
   const std::string text = PlotBars(TwoByTwo()).ToFileText();
   EXPECT_THAT(text, AllOf(HasSubstr("tea_cup"), HasSubstr("all500"), Not(HasSubstr("nan"))));
   EXPECT_EQ(PlotBars(TwoByTwo()).ToFileText(), text);
-}
-
-TEST(RunGnuplot, TellsWhetherItWorked) {
-  const testing::TemporaryDirectory folder;
-  WriteFileAtomically(folder / "bad.gnuplot", "plot nothing at all\n");
-  EXPECT_FALSE(RunGnuplot(folder / "bad.gnuplot"));
-  EXPECT_FALSE(RunGnuplot(folder / "missing.gnuplot"));
-}
-
-TEST(RunGnuplot, WritesSvgAndPdf) {
-  const testing::TemporaryDirectory folder;
-  WriteFileAtomically(folder / "figure.gnuplot", GnuplotProgram(TwoByTwo(), "figure"));
-  if (!RunGnuplot(folder / "figure.gnuplot")) GTEST_SKIP() << "no gnuplot here";
-  EXPECT_THAT(ReadTextFile(folder / "figure.svg"), HasSubstr("tea_cup"));
-  EXPECT_THAT(ReadTextFile(folder / "figure.pdf"), ::testing::StartsWith("%PDF"));
 }
 
 }  // namespace

@@ -51,6 +51,25 @@ TEST(MakeCellResult, SumsUpEachPicture) {
   EXPECT_NEAR(squared_error_sum / count, evaluation.all.brier.value, 1e-12);
 }
 
+TEST(MakeCellResult, KeepsCurvesWithTheirEndsInFewPoints) {
+  const testing::TemporaryDirectory folder;
+  const datasets::LabelledImageSet set = testing::WriteEdgeSet(folder.path());
+  const testing::ModelOwner model = testing::MakeEdgeModel();
+  GraspPointEvaluation evaluation = EvaluateGraspPoints(model.get(), set, {});
+  const PixelCurves curves = MakeCellResult("cell", {}, evaluation, set).curves;
+  EXPECT_EQ(curves.roc.size(), evaluation.roc.size());
+  std::size_t num_pixels = 0;
+  for (const ProbabilityBin& bin : curves.reliability) num_pixels += bin.Total();
+  EXPECT_EQ(num_pixels, evaluation.all.confusion.Total());
+  evaluation.roc.clear();
+  for (int i = 0; i <= 200; ++i) evaluation.roc.push_back({i / 200.0, i / 200.0});
+  const std::vector<RocPoint> thinned = MakeCellResult("cell", {}, evaluation, set).curves.roc;
+  ASSERT_EQ(thinned.size(), 101U);
+  EXPECT_EQ(thinned.front().true_positive_rate, 0.0);
+  EXPECT_EQ(thinned[50].true_positive_rate, 0.5);
+  EXPECT_EQ(thinned.back().true_positive_rate, 1.0);
+}
+
 TEST(ReadCellResult, GivesBackWhatWasWritten) {
   const testing::TemporaryDirectory folder;
   const CellResult written = testing::SmallResult("a,ridge=0.1");
@@ -66,6 +85,11 @@ TEST(ReadCellResult, GivesBackWhatWasWritten) {
   ASSERT_EQ(read.images.size(), 2U);
   EXPECT_EQ(read.images[0].best.good, 12U);
   EXPECT_EQ(read.images[0].log_loss_sum, 1.0 / 3.0);
+  ASSERT_EQ(read.curves.roc.size(), 3U);
+  EXPECT_EQ(read.curves.roc[1].false_positive_rate, 1.0 / 3.0);
+  EXPECT_EQ(read.curves.precision_recall[0].precision, 0.75);
+  EXPECT_EQ(read.curves.reliability[0].num_bad, 3U);
+  EXPECT_TRUE(std::isnan(read.curves.reliability[1].mean_probability));
   EXPECT_EQ(read.search_space.num_images_without_region, 1U);
   ASSERT_EQ(read.search_space.stages.size(), 2U);
   EXPECT_EQ(read.search_space.stages[1].stage, "region");

@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "lib/core/rng.h"
+#include "tests/experiments/evaluation/edge_model.h"
+#include "tests/support/temporary_directory.h"
 
 namespace handcraft::experiments {
 namespace {
@@ -67,6 +69,39 @@ TEST(PoolFigures, IsNotCertainOfAShareOfZero) {
   const Estimate accuracy = PoolFigures(Cells{&cell}, "", {}).best_pixel_accuracy;
   EXPECT_EQ(accuracy.value, 0.0);
   EXPECT_EQ(accuracy.high, WilsonInterval(0, 2).high);
+}
+
+TEST(PoolFigures, HasNoIntervalOfTheOnlyPictureThatCounts) {
+  CellResult cell;
+  cell.images = {Picture("a", "mug", 2, 4), Picture("b", "mug", 0, 0)};
+  EXPECT_TRUE(std::isnan(PoolFigures(Cells{&cell}, "", {}).best_pixel_accuracy.low));
+}
+
+// results.csv and summary.md tell the same of the same pictures.
+TEST(PoolFigures, HasTheIntervalsOfTheCellItself) {
+  const testing::TemporaryDirectory folder;
+  const datasets::LabelledImageSet set = testing::WriteEdgeSet(folder.path());
+  const testing::ModelOwner model = testing::MakeEdgeModel();
+  const GraspPointEvaluation evaluation = EvaluateGraspPoints(
+      model.get(), set, {.bootstrap_resamples = 200, .seed = 3, .num_threads = 2});
+  const CellResult cell = MakeCellResult("cell", {}, evaluation, set);
+  const auto expect_equal = [](const Estimate& pooled, const Estimate& own, const char* what) {
+    EXPECT_EQ(pooled.value, own.value) << what;
+    EXPECT_TRUE(pooled.low == own.low || (std::isnan(pooled.low) && std::isnan(own.low))) << what;
+    EXPECT_TRUE(pooled.high == own.high || (std::isnan(pooled.high) && std::isnan(own.high)))
+        << what;
+  };
+  ASSERT_EQ(cell.groups.size(), 3U);
+  for (const GroupFigures& own : cell.groups) {
+    const PooledFigures pooled =
+        PoolFigures(Cells{&cell}, own.name == "all" ? "" : own.name, {.resamples = 200, .seed = 3});
+    EXPECT_EQ(pooled.num_images, own.num_images);
+    expect_equal(pooled.best_pixel_accuracy, own.best_pixel_accuracy, "best pixels");
+    expect_equal(pooled.accuracy, own.accuracy, "accuracy");
+    expect_equal(pooled.log_loss, own.log_loss, "log-loss");
+    expect_equal(pooled.brier, own.brier, "Brier score");
+  }
+  EXPECT_FALSE(std::isnan(cell.groups.back().accuracy.low));
 }
 
 TEST(PoolFigures, TakesAPicturesRepetitionsTogether) {

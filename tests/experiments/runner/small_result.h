@@ -42,6 +42,9 @@ inline experiments::CellResult SmallResult(const std::string& id) {
                     .log_loss_sum = 1.0 / 3.0,
                     .squared_error_sum = 0.5},
                    {.image = "b.png", .object_class = "mug, blue", .best = {.good = 8, .bad = 7}}};
+  result.curves = {.roc = {{0.0, 0.0}, {1.0 / 3.0, 0.5}, {1.0, 1.0}},
+                   .precision_recall = {{0.5, 0.75}, {1.0, 0.5}},
+                   .reliability = {{0.0, 0.5, 1, 3, 0.25}, {0.5, 1.0, 0, 0, nan}}};
   result.search_space = {.num_images_without_region = 1,
                          .stages = {{.stage = "picture", .num_pixels = 300.0},
                                     {.stage = "region", .num_pixels = 12.5, .time_ms = 0.75}}};

@@ -27,7 +27,10 @@ TEST(MakeStudyPage, HoldsTablesFiguresAndVerdict) {
                     HasSubstr("80.0 %<span class=\"range\">[80.0, 80.0] %"),
                     HasSubstr("-10.00<span class=\"range\">[-10.00, -10.00]"),
                     HasSubstr("data:image/svg+xml;base64,"),
-                    HasSubstr("edge, ridge = 2, AUC 0.750"),
+                    HasSubstr("<h2>edge, ridge = 2</h2>"),
+                    HasSubstr("<h3>ROC curve, area 0.750 [0.000, 0.000]</h3>"),
+                    HasSubstr("called good<br>(above 0.9)"),
+                    HasSubstr("<h3>Reliability, Brier score"),
                     HasSubstr("<dt>split</dt><dd>instance</dd>")));
 }
 

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+namespace handcraft::experiments {
+
+/// Text inside double quotes for gnuplot; what would end them or the line is left out, so that no
+/// name becomes a command.
+[[nodiscard]] std::string GnuplotText(const std::string& text);
+
+/// Six digits; NaN as gnuplot has it.
+[[nodiscard]] std::string GnuplotNumber(double value);
+
+/// The colour of a series as a quoted text; the seventh has that of the first.
+[[nodiscard]] std::string GnuplotColour(std::size_t series);
+
+/// Commands that draw by `plot_command` into NAME.svg and NAME.pdf beside the program.
+[[nodiscard]] std::string GnuplotOutputs(const std::string& plot_command, const std::string& name);
+
+/// Runs gnuplot on the program, from its folder. False when there is no gnuplot or it fails.
+[[nodiscard]] bool RunGnuplot(const std::filesystem::path& program);
+
+}  // namespace handcraft::experiments
