@@ -3,21 +3,12 @@
 
 #pragma once
 
-#include <string>
-#include <variant>
 #include <vector>
 
-#include "experiments/runner/bar_figure.h"
-#include "experiments/runner/line_figure.h"
+#include "experiments/runner/figure_files.h"
 #include "experiments/runner/study_summary.h"
 
 namespace handcraft::experiments {
-
-/// A figure of the report and the name of its files.
-struct NamedFigure {
-  std::string name;
-  std::variant<BarFigure, LineFigure> figure;
-};
 
 /// Best-pixel accuracy by class, a bar a series (the dissertation's Figures 3.7 and 3.8); and how
 /// far each series is from the baseline on the same images, where there is another method; and how

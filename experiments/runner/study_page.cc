@@ -104,20 +104,6 @@ std::string DifferencesText(const Study& study, const StudySummary& summary) {
          "<tbody>\n" + rows + "</tbody></table></div>\n";
 }
 
-std::string FiguresText(const std::vector<PageFigure>& figures) {
-  std::string text;
-  for (const PageFigure& figure : figures) {
-    const std::span bytes(reinterpret_cast<const std::uint8_t*>(figure.svg.data()),
-                          figure.svg.size());
-    text += fmt::format(
-        "<figure class=\"card wide\"><img style=\"width: 100%; background: #fff\" alt=\"{}\" "
-        "src=\"{}\"></figure>\n",
-        EscapeHtml(figure.title),
-        DataUri("image/svg+xml", bytes));
-  }
-  return text;
-}
-
 std::string PixelsText(const StudyRun& run, const StudySummary& summary) {
   const EvaluationOptions defaults;  // a study does not change these thresholds
   std::string text =
@@ -231,7 +217,7 @@ std::string MakeStudyPage(const StudyRun& run,
                           const std::vector<PageFigure>& figures,
                           const std::vector<Example>& examples) {
   return MakeHtmlPage(run.study.title,
-                      HeaderText(run, summary) + ByClassText(summary) + FiguresText(figures) +
+                      HeaderText(run, summary) + ByClassText(summary) + FigureCards(figures) +
                           DifferencesText(run.study, summary) + PixelsText(run, summary) +
                           SearchSpaceText(summary) + ExamplesText(examples) +
                           FooterText(run, summary));

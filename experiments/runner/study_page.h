@@ -6,16 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "experiments/runner/figure_files.h"
 #include "experiments/runner/study_examples.h"
 #include "experiments/runner/study_summary.h"
 
 namespace handcraft::experiments {
-
-/// A figure as the text of an SVG file.
-struct PageFigure {
-  std::string title;
-  std::string svg;
-};
 
 /// report.html: one page that opens offline, with tables (accuracy by class as a heat map,
 /// differences to the baseline), figures, each method's confusion matrices and curves, and

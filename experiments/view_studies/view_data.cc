@@ -34,7 +34,8 @@ std::vector<datasets::ViewSet> MakeSets(const ViewSource& source,
                                   .sensor = source.sensor,
                                   .seed = source.seed + static_cast<std::uint64_t>(number - 1),
                                   .num_threads = num_threads,
-                                  .progress = progress}));
+                                  .progress = progress})
+              .set);
     }
   }
   return sets;

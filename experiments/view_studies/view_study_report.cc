@@ -10,7 +10,7 @@
 
 #include "experiments/evaluation/html_text.h"
 #include "experiments/evaluation/report_table.h"
-#include "experiments/runner/bar_figure.h"
+#include "experiments/runner/figure_files.h"
 #include "experiments/view_studies/answer_table.h"
 #include "lib/core/file.h"
 
@@ -111,10 +111,6 @@ BarFigure HistogramFigure(const ViewStudyRun& run) {
   return figure;
 }
 
-std::string FigureCard(const BarFigure& figure) {
-  return "<figure class=\"card wide\">" + PlotBars(figure).ToInlineText() + "</figure>\n";
-}
-
 std::string HeaderText(const ViewStudyRun& run) {
   std::string text =
       fmt::format("<header><p class=\"kicker\">Study {} · {} cells · {} views</p>\n<h1>{}</h1>\n",
@@ -169,30 +165,19 @@ std::string SummaryText(const ViewStudyRun& run) {
 }  // namespace
 
 bool WriteViewStudyReport(const fs::path& out, const ViewStudyRun& run) {
-  fs::create_directories(out / "figures");
-  std::vector<std::pair<std::string, BarFigure>> figures = {{"right_answers", SharesFigure(run)}};
+  std::vector<NamedFigure> figures = {{"right_answers", SharesFigure(run)}};
   if (run.study.task == ViewTask::kObjectRotation) {
-    figures.emplace_back("rotation_histogram", HistogramFigure(run));
+    figures.push_back({"rotation_histogram", HistogramFigure(run)});
   }
-  bool has_gnuplot = true;
-  std::string cards;
-  for (const auto& [name, figure] : figures) {
-    const fs::path program = out / "figures" / (name + ".gnuplot");
-    WriteFileAtomically(program, GnuplotProgram(figure, name));
-    has_gnuplot = has_gnuplot && RunGnuplot(program);
-    if (!has_gnuplot) {
-      WriteFileAtomically(out / "figures" / (name + ".svg"), PlotBars(figure).ToFileText());
-    }
-    cards += FigureCard(figure);
-  }
+  const FigureFiles files = WriteFigures(out / "figures", figures);
   WriteFileAtomically(out / "summary.md", SummaryText(run));
   WriteFileAtomically(
       out / "report.html",
       MakeHtmlPage(run.study.title,
                    HeaderText(run) + "<h2>Right answers</h2>\n" + HtmlText(SharesTable(run)) +
-                       cards + AnswersText(run) + "<h2>Times</h2>\n" + HtmlText(TimesTable(run)) +
-                       InputsText(run)));
-  return has_gnuplot;
+                       FigureCards(files.figures) + AnswersText(run) + "<h2>Times</h2>\n" +
+                       HtmlText(TimesTable(run)) + InputsText(run)));
+  return files.has_gnuplot;
 }
 
 }  // namespace handcraft::experiments

@@ -21,7 +21,8 @@ inline datasets::ViewSet MakeSmallViews(
                                  .family = synthetic::Family::kRegrasp,
                                  .num_views = num_views,
                                  .sensor = synthetic::CloudSensor::kPerfect,
-                                 .camera = synthetic::testing::SmallCamera()});
+                                 .camera = synthetic::testing::SmallCamera()})
+      .set;
 }
 
 /// A study of two methods on four such views of each object, in `folder`.

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/runner/figure_files.h"
+
+#include <array>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lib/core/file.h"
+#include "tests/support/temporary_directory.h"
+
+namespace handcraft::experiments {
+namespace {
+
+using handcraft::testing::TemporaryDirectory;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+TEST(WriteFigures, WritesProgramAndPictureOfEach) {
+  const TemporaryDirectory folder;
+  const BarFigure bars{.title = "One & two",
+                       .y_label = "share",
+                       .groups = {"a"},
+                       .series = {{.name = "s", .bars = {{1.0, 0.5, 1.5}}}}};
+  const std::array<NamedFigure, 1> figures = {NamedFigure{.name = "bars", .figure = bars}};
+  const FigureFiles files = WriteFigures(folder / "figures", figures);
+  ASSERT_EQ(files.figures.size(), 1U);
+  EXPECT_EQ(files.figures[0].svg, ReadTextFile(folder / "figures/bars.svg"));
+  EXPECT_EQ(ReadTextFile(folder / "figures/bars.gnuplot"), GnuplotProgram(bars, "bars"));
+  EXPECT_EQ(std::filesystem::exists(folder / "figures/bars.pdf"), files.has_gnuplot);
+  EXPECT_THAT(FigureCards(files.figures),
+              AllOf(StartsWith("<figure"),
+                    HasSubstr("One &amp; two"),
+                    HasSubstr("data:image/svg+xml;base64,")));
+}
+
+}  // namespace
+}  // namespace handcraft::experiments
