@@ -62,7 +62,7 @@ class MeasuredMug : public ::testing::Test {
                       .focal_px = 131.25F,
                       .centre_u_px = 79.5F,
                       .centre_v_px = 59.5F};
-    set_ = synthetic::MakeViewSet(folder_ / "set", options);
+    set_ = synthetic::MakeViewSet(folder_ / "set", options).set;
     set_.items = {set_.items[3]};
   }
 
