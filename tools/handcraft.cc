@@ -65,6 +65,7 @@ void AddCommands(CLI::App& app, const Console& console) {
   AddTrainGraspPoints(train, console);
   AddTrainLda(train, console);
   AddTrainLogistic(train, console);
+  AddTrainObjectClass(train, console);
   AddTrainSvm(train, console);
   AddEvaluate(app, console);
   AddPredict(app, console);

@@ -57,6 +57,8 @@ std::string_view KindName(hc_kind kind) noexcept {
       return "logistic";
     case HC_KIND_SVM:
       return "svm";
+    case HC_KIND_OBJECT_CLASS:
+      return "object_class";
   }
   return "unknown";
 }

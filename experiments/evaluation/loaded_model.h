@@ -29,7 +29,7 @@ using LoadedModel = std::unique_ptr<hc_model, FreeModel>;
 /// A metadata value, empty when there is none.
 [[nodiscard]] std::string MetadataOf(const hc_model* model, const char* key);
 
-/// "grasp_point", "logistic" or "svm".
+/// "grasp_point", "logistic", "svm" or "object_class".
 [[nodiscard]] std::string_view KindName(hc_kind kind) noexcept;
 
 }  // namespace handcraft::experiments
