@@ -35,12 +35,6 @@ void KeepInliers(const OrganisedCloud& cloud, double step, Image& mask) {
   mask = std::move(kept);
 }
 
-void ChangeFrame(features::CloudFrame frame, OrganisedCloud& cloud) {
-  if (frame == features::CloudFrame::kBase) return;
-  const Eigen::Isometry3f camera_from_base = cloud.base_from_camera.inverse();
-  for (Eigen::Vector3f& point : cloud.points) point = camera_from_base * point;
-}
-
 }  // namespace
 
 void ObjectCloudOptions::Validate() const {
@@ -73,6 +67,12 @@ MaskedCloud ReadObjectCloud(const ViewSet& set,
   MaskedCloud object{.cloud = ReadPcd(set.root / item.cloud), .mask = ReadObjectMask(set, index)};
   RequireSameSize(
       set.root / item.object_mask, "the mask", SizeOf(object.mask), SizeOf(object.cloud));
+  return TakeObjectCloud(std::move(object.cloud), std::move(object.mask), options);
+}
+
+MaskedCloud TakeObjectCloud(OrganisedCloud cloud, Image mask, const ObjectCloudOptions& options) {
+  options.Validate();
+  MaskedCloud object{.cloud = std::move(cloud), .mask = std::move(mask)};
   KeepInliers(object.cloud, options.outlier_step, object.mask);
   ChangeFrame(options.frame, object.cloud);
   return object;
@@ -85,12 +85,35 @@ MaskedCloud FindObjectCloud(OrganisedCloud cloud,
   const perception::TablePlanes planes = perception::FindTable(cloud.View(), table);
   perception::PixelPoints points;
   perception::TakePointsOffPlanes(cloud.View(), planes.planes, table.epsilon_m, points);
-  MaskedCloud object{.cloud = std::move(cloud), .mask = {}};
-  object.mask = Image(object.cloud.width, object.cloud.height);
-  for (const std::int32_t pixel : points.Pixels()) object.mask.Row(0)[pixel] = kInside;
-  KeepInliers(object.cloud, options.outlier_step, object.mask);
-  ChangeFrame(options.frame, object.cloud);
-  return object;
+  Image mask(cloud.width, cloud.height);
+  for (const std::int32_t pixel : points.Pixels()) mask.Row(0)[pixel] = kInside;
+  return TakeObjectCloud(std::move(cloud), std::move(mask), options);
+}
+
+void ChangeFrame(features::CloudFrame frame, OrganisedCloud& cloud) {
+  if (frame == features::CloudFrame::kBase) return;
+  const Eigen::Isometry3f camera_from_base = cloud.base_from_camera.inverse();
+  for (Eigen::Vector3f& point : cloud.points) point = camera_from_base * point;
+}
+
+void DescribeObject(const MaskedCloud& object,
+                    const features::CloudDescriptor& descriptor,
+                    std::span<float> row) {
+  std::vector<std::byte> workspace(descriptor.WorkspaceBytes());
+  if (descriptor.Compute(object.View(), workspace, row)) return;
+  throw Error({.reason = fmt::format("fewer than {} points of the object were measured",
+                                     features::kMinObjectPoints),
+               .remedy = "leave the view out"});
+}
+
+void NamingCloud(const ViewSet& set, std::size_t index, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    Error::Details details = error.details();
+    if (details.path.empty()) details.path = (set.root / set.items[index].cloud).string();
+    throw Error(std::move(details));
+  }
 }
 
 CloudFeatures DescribeViews(const ViewSet& set,
@@ -104,14 +127,9 @@ CloudFeatures DescribeViews(const ViewSet& set,
   ParallelForReporting(
       set.items.size(), num_threads, progress, "describing clouds", [&](std::size_t i) {
         const MaskedCloud object = ReadObjectCloud(set, i, options);
-        std::vector<std::byte> workspace(descriptor.WorkspaceBytes());
         const auto row =
             std::span(features.values).subspan(i * features.num_features, features.num_features);
-        if (descriptor.Compute(object.View(), workspace, row)) return;
-        throw Error({.path = (set.root / set.items[i].cloud).string(),
-                     .reason = fmt::format("fewer than {} points of the object were measured",
-                                           features::kMinObjectPoints),
-                     .remedy = "leave the view out"});
+        NamingCloud(set, i, [&] { DescribeObject(object, descriptor, row); });
       });
   return features;
 }

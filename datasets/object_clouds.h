@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "datasets/formats/organised_cloud.h"
@@ -49,11 +51,29 @@ struct MaskedCloud {
                                           std::size_t index,
                                           const ObjectCloudOptions& options = {});
 
+/// The object of a cloud in the base frame under a mask of its size, without outliers, in the
+/// wanted frame.
+[[nodiscard]] MaskedCloud TakeObjectCloud(OrganisedCloud cloud,
+                                          Image mask,
+                                          const ObjectCloudOptions& options = {});
+
 /// The object of a cloud without a mask: its points off the table, without outliers, in the wanted
 /// frame; `table.up` is in the cloud's own. The mask is 0 everywhere when nothing is left.
 [[nodiscard]] MaskedCloud FindObjectCloud(OrganisedCloud cloud,
                                           const perception::TableRemovalOptions& table,
                                           const ObjectCloudOptions& options = {});
+
+/// Takes the points of a cloud in the base frame into this one.
+void ChangeFrame(features::CloudFrame frame, OrganisedCloud& cloud);
+
+/// The descriptor's numbers of an object. Throws Error(kBadInput) when fewer than
+/// features::kMinObjectPoints of its points were measured.
+void DescribeObject(const MaskedCloud& object,
+                    const features::CloudDescriptor& descriptor,
+                    std::span<float> row);
+
+/// Calls `work` and gives an Error of it the path of the view's cloud when it has none.
+void NamingCloud(const ViewSet& set, std::size_t index, const std::function<void()>& work);
 
 /// A feature vector a view, row after row.
 struct CloudFeatures {

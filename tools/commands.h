@@ -29,6 +29,7 @@ void AddTrainGraspLibrary(CLI::App& parent, const Console& console);
 void AddTrainGraspPoints(CLI::App& parent, const Console& console);
 void AddTrainLda(CLI::App& parent, const Console& console);
 void AddTrainLogistic(CLI::App& parent, const Console& console);
+void AddTrainObjectClass(CLI::App& parent, const Console& console);
 void AddTrainSvm(CLI::App& parent, const Console& console);
 void AddEvaluate(CLI::App& parent, const Console& console);
 void AddPredict(CLI::App& parent, const Console& console);

@@ -20,6 +20,9 @@ namespace handcraft::tools {
 /// The group, in --help, of the options that a model of tables does not read.
 inline constexpr const char* kPictureGroup = "For models of pictures";
 
+/// The group, in --help, of the options that a model of object classes alone reads.
+inline constexpr const char* kCloudGroup = "For models of object classes";
+
 /// The names of the options of a group that were given.
 [[nodiscard]] std::vector<std::string> GivenOptions(const CLI::App& command,
                                                     const std::string& group);

@@ -66,6 +66,7 @@ void AddCommands(CLI::App& app, const Console& console) {
   AddTrainLda(train, console);
   AddTrainLogistic(train, console);
   AddTrainGraspLibrary(train, console);
+  AddTrainObjectClass(train, console);
   AddTrainSvm(train, console);
   AddEvaluate(app, console);
   AddPredict(app, console);

@@ -45,6 +45,16 @@ std::span<const Benchmark> AllBenchmarks() {
                 .what = "every solution of a 4-degree sweep for a pose of a 7-joint Barrett WAM, "
                         "100000 poses, one core",
                 .run = &BenchmarkInverseKinematics},
+      Benchmark{.name = "svm_leave_one_out_216x7500",
+                .what =
+                    "support vector machines of 6 classes, one against one, for each of the 216 "
+                    "clouds left out, 7500 features in memory, one core",
+                .run = &BenchmarkSvmLeaveOneOut},
+      Benchmark{.name = "classify_cloud_grid50",
+                .what = "class of an object of 200x200 px in a 640x480 cloud: 7500 features, 15 "
+                        "pairs over 216 support vectors, one core",
+                .run = &BenchmarkClassifyCloud,
+                .reads_repetitions = true},
   };
   return kBenchmarks;
 }

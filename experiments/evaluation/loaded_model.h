@@ -29,7 +29,7 @@ using LoadedModel = std::unique_ptr<hc_model, FreeModel>;
 /// A metadata value, empty when there is none.
 [[nodiscard]] std::string MetadataOf(const hc_model* model, const char* key);
 
-/// "grasp_point", "logistic", "svm" or "grasp_library".
+/// "grasp_point", "logistic", "svm", "object_class" or "grasp_library".
 [[nodiscard]] std::string_view KindName(hc_kind kind) noexcept;
 
 }  // namespace handcraft::experiments

@@ -35,7 +35,7 @@ set(HANDCRAFT_THIRD_PARTY_datasets
     opencv_imgcodecs tomlplusplus::tomlplusplus ZLIB::ZLIB)
 set(HANDCRAFT_THIRD_PARTY_trainer Eigen3::Eigen fmt::fmt BLAS::BLAS LAPACK::LAPACK)
 set(HANDCRAFT_THIRD_PARTY_experiments
-    fmt::fmt nlohmann_json::nlohmann_json opencv_core opencv_imgproc opencv_imgcodecs BLAS::BLAS
+    fmt::fmt nlohmann_json::nlohmann_json opencv_core opencv_imgproc opencv_imgcodecs opencv_ml BLAS::BLAS
     benchmark::benchmark Eigen3::Eigen tomlplusplus::tomlplusplus pcl_filters pcl_segmentation)
 set(HANDCRAFT_THIRD_PARTY_tools CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json)
 

@@ -7,8 +7,6 @@
 #include <array>
 #include <cmath>
 
-#include "lib/features/cloud_grid.h"
-
 namespace handcraft::features {
 namespace {
 
@@ -70,6 +68,10 @@ std::string_view NameOf(CloudFrame frame) noexcept {
   return frame == CloudFrame::kBase ? "base" : "camera";
 }
 
+std::string_view NameOf(GridBox box) noexcept {
+  return box == GridBox::kFitted ? "fitted" : "square";
+}
+
 std::size_t CloudDescriptor::NumFeatures() const noexcept {
   return NumCells(*this) * (type == CloudDescriptorType::kDepthGrid ? 1 : 3);
 }
@@ -82,9 +84,11 @@ bool CloudDescriptor::Compute(const ObjectCloud& cloud,
                               std::span<std::byte> workspace,
                               std::span<float> features) const noexcept {
   const std::span sums(reinterpret_cast<CellSum*>(workspace.data()), NumCells(*this));
-  const auto sum_cells = type == CloudDescriptorType::kPolar ? SumPolarCells : SumCells;
   std::fill(features.begin(), features.end(), 0.0F);
-  if (sum_cells(cloud, grid_size, sums) < kMinObjectPoints) return false;
+  const std::size_t num_points = type == CloudDescriptorType::kPolar
+                                     ? SumPolarCells(cloud, grid_size, sums)
+                                     : SumCells(cloud, grid_size, box, sums);
+  if (num_points < kMinObjectPoints) return false;
   const Vector mean = Mean(sums);
   const double scale = scaling == CloudScaling::kMetric ? 1.0 : InverseSpread(sums, mean);
   const std::size_t depth_axis = frame == CloudFrame::kBase ? 0 : 2;

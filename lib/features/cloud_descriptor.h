@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "lib/features/cloud_grid.h"
 #include "lib/features/object_cloud.h"
 
 namespace handcraft::features {
@@ -35,6 +36,9 @@ enum class CloudFrame : std::uint8_t {
 };
 [[nodiscard]] std::string_view NameOf(CloudFrame frame) noexcept;
 
+/// "fitted" or "square".
+[[nodiscard]] std::string_view NameOf(GridBox box) noexcept;
+
 inline constexpr int kMaxGridSize = 128;
 
 /// Turns the cloud of an object into a feature vector of constant length. With M the mean of the
@@ -52,6 +56,7 @@ struct CloudDescriptor {
   int grid_size = 50;  ///< cells along each side (rings, sectors); 1 to kMaxGridSize
   CloudScaling scaling = CloudScaling::kMetric;
   CloudFrame frame = CloudFrame::kBase;  ///< says which axis is depth
+  GridBox box = GridBox::kFitted;        ///< of grid and depth-grid
 
   /// Grid and polar: 3 · grid_size² numbers, cell after cell (row by row), x, y, z of each; depth:
   /// one a cell.

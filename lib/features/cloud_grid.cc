@@ -11,12 +11,32 @@
 namespace handcraft::features {
 namespace {
 
-// The first of `size` pixels whose middle lies in cell number `cell` of `side`, or beyond it.
-int CellBegin(int cell, int size, int side) noexcept {
-  // (pixel + ½) · side / size ≥ cell, in whole numbers.
-  const std::int64_t twice = 2 * std::int64_t{cell} * size - side;
-  return twice <= 0 ? 0 : static_cast<int>((twice + 2 * side - 1) / (2 * std::int64_t{side}));
-}
+// Where the cells of one direction begin.
+class Axis {
+ public:
+  // Pixels [first, first + length) in the middle of `box` pixels; 0: of as many.
+  Axis(int first, int length, int box, int side) noexcept
+      : first_(first),
+        length_(length),
+        size_(box == 0 ? length : box),
+        before_((size_ - length) / 2),
+        side_(side) {}
+
+  // The first pixel whose middle lies in this cell or beyond it.
+  [[nodiscard]] int Begin(int cell) const noexcept {
+    // (pixel + ½) · side / size ≥ cell, in whole numbers.
+    const std::int64_t twice = 2 * std::int64_t{cell} * size_ - side_;
+    const std::int64_t pixel = twice <= 0 ? 0 : (twice + 2 * side_ - 1) / (2 * std::int64_t{side_});
+    return first_ + static_cast<int>(std::clamp<std::int64_t>(pixel - before_, 0, length_));
+  }
+
+ private:
+  int first_;
+  int length_;
+  int size_;
+  int before_;  // pixels of the box before the first
+  int side_;
+};
 
 void AddPoint(const float* point, CellSum& sum) noexcept {
   sum.x += static_cast<double>(point[0]);
@@ -66,16 +86,21 @@ Centre FindCentre(const ObjectCloud& cloud, const PixelExtent& extent) noexcept 
 
 }  // namespace
 
-std::size_t SumCells(const ObjectCloud& cloud, int side, std::span<CellSum> sums) noexcept {
+std::size_t SumCells(const ObjectCloud& cloud,
+                     int side,
+                     GridBox box,
+                     std::span<CellSum> sums) noexcept {
   std::fill(sums.begin(), sums.end(), CellSum{});
   const PixelExtent extent = FindExtent(cloud);
+  const int longer = std::max(extent.Width(), extent.Height());
+  const Axis columns(extent.u_begin, extent.Width(), box == GridBox::kSquare ? longer : 0, side);
+  const Axis rows(extent.v_begin, extent.Height(), box == GridBox::kSquare ? longer : 0, side);
   for (int row = 0; row < side; ++row) {
-    const int v_end = extent.v_begin + CellBegin(row + 1, extent.Height(), side);
-    for (int v = extent.v_begin + CellBegin(row, extent.Height(), side); v < v_end; ++v) {
+    const int v_end = rows.Begin(row + 1);
+    for (int v = rows.Begin(row); v < v_end; ++v) {
       CellSum* cells = sums.data() + static_cast<std::ptrdiff_t>(row) * side;
-      int u = extent.u_begin;
-      for (int column = 0; column < side; ++column) {
-        const int u_end = extent.u_begin + CellBegin(column + 1, extent.Width(), side);
+      for (int column = 0, u = columns.Begin(0); column < side; ++column) {
+        const int u_end = columns.Begin(column + 1);
         AddRun(cloud, u, u_end, v, cells[column]);
         u = u_end;
       }

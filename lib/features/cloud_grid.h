@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "lib/features/object_cloud.h"
@@ -18,6 +19,12 @@ struct CellSum {
   double count = 0.0;
 };
 
+/// Which box of the picture a grid divides. The numbers stand in model files.
+enum class GridBox : std::uint8_t {
+  kFitted = 0,  ///< that of the object's measured pixels: cells are as broad as the object
+  kSquare = 1,  ///< the square around its middle, as long as its longer side: cells are square
+};
+
 /// Sums of an object's points in the cells of a grid that is fitted to the box of its measured
 /// pixels (FindExtent): pixel (u, v) of a box of W × H pixels belongs to column
 /// ⌊(u − u_begin + ½) · side / W⌋ and row ⌊(v − v_begin + ½) · side / H⌋, which are below `side`
@@ -30,6 +37,7 @@ struct CellSum {
 /// small objects and reach row `side` on others (docs/errata.md).
 [[nodiscard]] std::size_t SumCells(const ObjectCloud& cloud,
                                    int side,
+                                   GridBox box,
                                    std::span<CellSum> sums) noexcept;
 
 /// As SumCells for circular and radial sampling: rings of equal width around the mean pixel of the

@@ -116,6 +116,7 @@ ModelFile MakeObjectClassModel(const ObjectClassModel& model,
   file.tensors["cloud_grid_size"] = ScalarTensor<std::int32_t>(descriptor.grid_size);
   file.tensors["cloud_scaling"] = ScalarTensor(static_cast<std::int32_t>(descriptor.scaling));
   file.tensors["cloud_frame"] = ScalarTensor(static_cast<std::int32_t>(descriptor.frame));
+  file.tensors["cloud_box"] = ScalarTensor(static_cast<std::int32_t>(descriptor.box));
   file.tensors["cloud_outlier_step"] = ScalarTensor(model.outlier_step);
   AddSvmTensors(model.svm, model.classes, file);
   file.metadata["hc.tie_rule"] = TieRuleOf(model.svm.scheme);
@@ -132,7 +133,8 @@ ObjectClassModel ReadObjectClassModel(const ModelFile& file) {
                              integer("cloud_descriptor")),
                          .grid_size = integer("cloud_grid_size"),
                          .scaling = static_cast<features::CloudScaling>(integer("cloud_scaling")),
-                         .frame = static_cast<features::CloudFrame>(integer("cloud_frame"))},
+                         .frame = static_cast<features::CloudFrame>(integer("cloud_frame")),
+                         .box = static_cast<features::GridBox>(integer("cloud_box"))},
           .outlier_step = ValuesOf<double>(file, "cloud_outlier_step")[0],
           .svm = ReadSvmTensors(file),
           .classes = NamesIn(file, "class_names")};

@@ -47,6 +47,7 @@ bool ReadDescriptor(ContentReader& reader, CloudDescriptor& descriptor) {
   std::int32_t type = 0;
   std::int32_t scaling = 0;
   std::int32_t frame = 0;
+  std::int32_t box = 0;
   const bool complete =
       reader.ReadOne("cloud_descriptor", type) &&
       RequireWithin(reader, "cloud_descriptor", type, 0, features::kNumCloudDescriptors - 1) &&
@@ -54,10 +55,12 @@ bool ReadDescriptor(ContentReader& reader, CloudDescriptor& descriptor) {
       RequireWithin(reader, "cloud_grid_size", descriptor.grid_size, 1, features::kMaxGridSize) &&
       reader.ReadOne("cloud_scaling", scaling) &&
       RequireWithin(reader, "cloud_scaling", scaling, 0, 1) &&
-      reader.ReadOne("cloud_frame", frame) && RequireWithin(reader, "cloud_frame", frame, 0, 1);
+      reader.ReadOne("cloud_frame", frame) && RequireWithin(reader, "cloud_frame", frame, 0, 1) &&
+      reader.ReadOne("cloud_box", box) && RequireWithin(reader, "cloud_box", box, 0, 1);
   descriptor.type = static_cast<features::CloudDescriptorType>(type);
   descriptor.scaling = static_cast<features::CloudScaling>(scaling);
   descriptor.frame = static_cast<features::CloudFrame>(frame);
+  descriptor.box = static_cast<features::GridBox>(box);
   return complete;
 }
 

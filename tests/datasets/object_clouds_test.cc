@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <span>
 
 #include <gmock/gmock.h>
@@ -50,10 +51,10 @@ double Distance(std::span<const float> a, std::span<const float> b) {
   return Length(difference);
 }
 
-// A mug measured by a noisy camera.
+// A mug measured by a noisy camera, rendered once.
 class MeasuredMug : public ::testing::Test {
  protected:
-  MeasuredMug() {
+  static void SetUpTestSuite() {
     synthetic::ViewSetOptions options;
     options.num_views = 1;
     options.sensor = synthetic::CloudSensor::kDepthCamera;
@@ -62,13 +63,17 @@ class MeasuredMug : public ::testing::Test {
                       .focal_px = 131.25F,
                       .centre_u_px = 79.5F,
                       .centre_v_px = 59.5F};
-    set_ = synthetic::MakeViewSet(folder_ / "set", options).set;
+    folder_ = std::make_unique<TemporaryDirectory>();
+    set_ = synthetic::MakeViewSet(*folder_ / "set", options).set;
     set_.items = {set_.items[3]};
   }
+  static void TearDownTestSuite() { folder_.reset(); }
 
-  TemporaryDirectory folder_;
-  ViewSet set_;
+  static std::unique_ptr<TemporaryDirectory> folder_;
+  static ViewSet set_;
 };
+std::unique_ptr<TemporaryDirectory> MeasuredMug::folder_;
+ViewSet MeasuredMug::set_;
 
 TEST(ObjectClouds, ThePointsUnderTheMask) {
   const TemporaryDirectory folder;

@@ -17,6 +17,7 @@
 #include "experiments/evaluation/table_evaluation.h"
 #include "experiments/evaluation/table_model.h"
 #include "lib/core/error.h"
+#include "tools/cloud_commands.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "tools/number_option.h"
@@ -33,6 +34,8 @@ struct EvaluateOptions {
   std::string json;
   std::string html;
   std::vector<std::string> picture_options;  // given, and read by grasp-point models alone
+  std::vector<std::string> counts_as;        // read by models of object classes alone
+  bool is_split_given = false;
   experiments::EvaluationOptions evaluation;
 };
 
@@ -238,9 +241,26 @@ void EvaluateClasses(const hc_model* model,
   if (options.json != "-") PrintClasses(console, options, evaluation);
 }
 
+// Without --split all views are taken.
+void EvaluateObjectClasses(const hc_model* model,
+                           const EvaluateOptions& options,
+                           const Console& console) {
+  std::vector<std::string> picture_options = options.picture_options;
+  std::erase(picture_options, "--split");
+  RefusePictureOptions(picture_options);
+  EvaluateClouds(model,
+                 {.model = options.model,
+                  .data = options.data,
+                  .split = options.is_split_given ? options.split : "",
+                  .counts_as = options.counts_as,
+                  .json = options.json},
+                 console);
+}
+
 // What evaluates a model of this kind.
 auto EvaluatorOf(hc_kind kind) {
   if (kind == HC_KIND_GRASP_POINT) return EvaluateGraspPoints;
+  if (kind == HC_KIND_OBJECT_CLASS) return EvaluateObjectClasses;
   return kind == HC_KIND_SVM ? EvaluateClasses : EvaluateTable;
 }
 
@@ -302,15 +322,24 @@ void AddEvaluate(CLI::App& parent, const Console& console) {
   CLI::App* command = parent.add_subcommand(
       "evaluate", "Measure a model on labelled data: confusion matrix, accuracy, intervals");
   command->add_option("MODEL", options->model, "Model file")->required();
-  command->add_option("DATA", options->data, "Labelled image set (folder) or table (.csv, .npy)")
+  command
+      ->add_option(
+          "DATA", options->data, "Labelled image set or view set (folder), or table (.csv, .npy)")
       ->required();
-  command->add_option("--split", options->split, "Split of an image set; '' for all images")
+  command->add_option("--split", options->split, "Split of an image set or view set; '' for all")
       ->capture_default_str()
       ->group(kPictureGroup);
   AddJsonFileOption(*command, options->json);
   command->add_option("--html", options->html, "Write a page with figures and overlays")
       ->type_name("FILE")
       ->group(kPictureGroup);
+  command
+      ->add_option("--counts-as",
+                   options->counts_as,
+                   "A class of the views that the model does not know, and the one that is right "
+                   "for it; may be given again")
+      ->type_name("CLASS=CLASS")
+      ->group(kCloudGroup);
   AddMeasureOptions(*command, options->evaluation);
   AddSeedOption(*command, options->evaluation.seed);
   AddThreadsOption(*command, options->evaluation.num_threads);
@@ -319,6 +348,7 @@ void AddEvaluate(CLI::App& parent, const Console& console) {
              "datasets/samples/cornell_mini");
   command->callback([options, command, &console] {
     options->picture_options = GivenOptions(*command, kPictureGroup);
+    options->is_split_given = command->count("--split") > 0;
     RunEvaluate(*options, console);
   });
 }

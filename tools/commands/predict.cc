@@ -24,6 +24,7 @@
 #include "lib/core/file.h"
 #include "lib/perception/image_io.h"
 #include "lib/perception/overlay.h"
+#include "tools/cloud_commands.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "tools/number_option.h"
@@ -42,6 +43,7 @@ constexpr const char* kPointsEnding = ".grasp_points.json";
 constexpr const char* kOverlayEnding = ".grasp_points.png";
 constexpr const char* kTableEnding = ".probabilities.csv";
 constexpr const char* kClassesEnding = ".classes.csv";
+constexpr const char* kObjectEnding = ".object_class.json";
 
 struct PredictOptions {
   std::string model;
@@ -52,6 +54,7 @@ struct PredictOptions {
   int suppression_radius_px = 8;
   bool json = false;
   SearchInput search;
+  std::string object_mask;                   // read by models of object classes alone
   std::vector<std::string> picture_options;  // given, and read by grasp-point models alone
 };
 
@@ -246,7 +249,8 @@ TablePrediction PredictClasses(const hc_model* model,
   return prediction;
 }
 
-const char* TableEnding(hc_kind kind) {
+const char* EndingOf(hc_kind kind) {
+  if (kind == HC_KIND_OBJECT_CLASS) return kObjectEnding;
   return kind == HC_KIND_SVM ? kClassesEnding : kTableEnding;
 }
 
@@ -265,7 +269,7 @@ void PredictTables(const hc_model* model,
     predictions.push_back({{"table", input}});
     predictions.back().update(json);
     if (folder != nullptr) {
-      WriteFileAtomically(folder->Claim(OutputName(input, TableEnding(kind))), csv);
+      WriteFileAtomically(folder->Claim(OutputName(input, EndingOf(kind))), csv);
     } else {
       text += csv;
     }
@@ -278,9 +282,30 @@ void PredictTables(const hc_model* model,
   }
 }
 
+void PredictObjectClasses(const hc_model* model,
+                          const PredictOptions& options,
+                          const Console& console,
+                          OutputFolder* folder) {
+  SearchInput search = options.search;
+  search.cloud = "given";  // which way is up by default
+  const Json predictions = PredictClouds(model,
+                                         {.model = options.model,
+                                          .clouds = options.inputs,
+                                          .object_mask = options.object_mask,
+                                          .table = RegionOptions(search).table});
+  for (std::size_t i = 0; i < predictions.size() && folder != nullptr; ++i) {
+    WriteFileAtomically(folder->Claim(OutputName(options.inputs[i], kObjectEnding)),
+                        experiments::JsonText(predictions[i]));
+  }
+  if (folder != nullptr) folder->Keep();
+  if (options.json) return console.Print({{"model", options.model}, {"predictions", predictions}});
+  console.out << CloudTable(predictions);
+}
+
 // Options that fit each other and the model.
 void Validate(const PredictOptions& options, hc_kind kind) {
   if (kind == HC_KIND_GRASP_POINT) return RequireSearchFits(options.search, options.inputs.size());
+  if (kind == HC_KIND_OBJECT_CLASS) return;
   RefusePictureOptions(options.picture_options);
   if (options.inputs.size() > 1 && options.out.empty() && !options.json) {
     throw Error({.kind = Error::Kind::kUsage, .reason = "several tables need --out or --json"});
@@ -295,7 +320,7 @@ void RequireInputsStay(const PredictOptions& options, hc_kind kind) {
   for (fs::path& file : options.search.Files()) inputs.push_back(std::move(file));
   const auto endings = kind == HC_KIND_GRASP_POINT
                            ? std::vector<const char*>{kPointsEnding, kOverlayEnding}
-                           : std::vector<const char*>{TableEnding(kind)};
+                           : std::vector<const char*>{EndingOf(kind)};
   for (const std::string& input : options.inputs) {
     for (const char* ending : endings) {
       RequireNotAnInput(fs::path(options.out) / OutputName(input, ending), inputs);
@@ -310,7 +335,9 @@ void RunPredict(const PredictOptions& options, const Console& console) {
   RequireInputsStay(options, kind);
   std::optional<OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out);
-  const auto predict = kind == HC_KIND_GRASP_POINT ? PredictImages : PredictTables;
+  const auto predict = kind == HC_KIND_GRASP_POINT    ? PredictImages
+                       : kind == HC_KIND_OBJECT_CLASS ? PredictObjectClasses
+                                                      : PredictTables;
   predict(model.get(), options, console, folder ? &*folder : nullptr);
   if (folder && !options.json) console.out << "Written to " << options.out << '\n';
 }
@@ -336,6 +363,12 @@ void AddPictureOptions(CLI::App& command, PredictOptions& options) {
             "Grasp points are farther apart than this [px]; 0: no suppression")
       ->group(kPictureGroup);
   AddSearchOptions(command, options.search);
+  command
+      .add_option("--object-mask",
+                  options.object_mask,
+                  "Picture that shows the object of a cloud; without, what stands on the table")
+      ->type_name("FILE")
+      ->group(kCloudGroup);
 }
 
 }  // namespace
@@ -343,9 +376,10 @@ void AddPictureOptions(CLI::App& command, PredictOptions& options) {
 void AddPredict(CLI::App& parent, const Console& console) {
   auto options = std::make_shared<PredictOptions>();
   CLI::App* command = parent.add_subcommand(
-      "predict", "Run a model with the robot's runtime on pictures or tables");
+      "predict", "Run a model with the robot's runtime on pictures, clouds or tables");
   command->add_option("MODEL", options->model, "Model file")->required();
-  command->add_option("INPUT", options->inputs, "Pictures, or tables (.csv, .npy)")->required();
+  command->add_option("INPUT", options->inputs, "Pictures, clouds (.pcd), or tables (.csv, .npy)")
+      ->required();
   command
       ->add_option("--out",
                    options->out,

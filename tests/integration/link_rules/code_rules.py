@@ -31,6 +31,7 @@ THIRD_PARTY_HEADERS = {
     r"opencv2/imgproc[/.]": "opencv_imgproc",
     r"opencv2/imgcodecs[/.]": "opencv_imgcodecs",
     r"opencv2/calib3d[/.]": "opencv_calib3d",
+    r"opencv2/ml[/.]": "opencv_ml",
     r"pcl/(segmentation/|point_|ModelCoefficients)": "pcl_segmentation",
     r"pcl/filters/": "pcl_filters",
     r"nlohmann/": "nlohmann_json::nlohmann_json",

@@ -188,6 +188,7 @@ TEST(CloudDescriptor, Names) {
   EXPECT_EQ(NameOf(CloudDescriptorType::kGrid), "grid");
   EXPECT_EQ(NameOf(CloudDescriptorType::kDepthGrid), "depth-grid");
   EXPECT_EQ(NameOf(CloudDescriptorType::kPolar), "polar");
+  EXPECT_EQ(NameOf(GridBox::kSquare), "square");
   EXPECT_EQ(NameOf(CloudScaling::kUnit), "unit");
   EXPECT_EQ(NameOf(CloudFrame::kCamera), "camera");
 }

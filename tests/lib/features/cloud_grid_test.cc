@@ -19,7 +19,7 @@ using testing::SomeObject;
 
 std::vector<CellSum> Cells(const ObjectCloud& cloud, int side) {
   std::vector<CellSum> sums(static_cast<std::size_t>(side * side));
-  static_cast<void>(SumCells(cloud, side, sums));
+  static_cast<void>(SumCells(cloud, side, GridBox::kFitted, sums));
   return sums;
 }
 
@@ -35,7 +35,7 @@ TEST(CloudGrid, FourPointsByHand) {
                                      0, 0, 1, 0, 0, 2, 0,  7, 0, 0,  9, 0};
   const ObjectCloud cloud{.points = points.data(), .width = 4, .height = 2, .row_stride = 12};
   std::vector<CellSum> sums(4);
-  EXPECT_EQ(SumCells(cloud, 2, sums), 8U);
+  EXPECT_EQ(SumCells(cloud, 2, GridBox::kFitted, sums), 8U);
   EXPECT_EQ(sums[0].x, 4.0);
   EXPECT_EQ(sums[0].y, 6.0);
   EXPECT_EQ(sums[0].z, 8.0);
@@ -101,6 +101,34 @@ TEST(CloudGrid, SmallObjectsLeaveCellsEmptyAndReachNoCellBeyondTheLast) {
   }
 }
 
+TEST(CloudGrid, ASquareBoxByHand) {
+  // 4 × 2 pixels in the middle of 4 × 4, a grid of 4: one pixel a cell of the middle rows.
+  std::vector<float> points;
+  for (int i = 0; i < 8; ++i) points.insert(points.end(), 3, static_cast<float>(i + 1));
+  ObjectCloud cloud{.points = points.data(), .width = 4, .height = 2, .row_stride = 12};
+  std::vector<CellSum> sums(16);
+  EXPECT_EQ(SumCells(cloud, 4, GridBox::kSquare, sums), 8U);
+  for (std::size_t c = 0; c < 16; ++c) {
+    EXPECT_EQ(sums[c].x, c < 4 || c >= 12 ? 0.0 : static_cast<double>(c) - 3.0);
+  }
+  // The same object standing: 2 × 4 pixels fill the middle columns.
+  cloud = {.points = points.data(), .width = 2, .height = 4, .row_stride = 6};
+  EXPECT_EQ(SumCells(cloud, 4, GridBox::kSquare, sums), 8U);
+  EXPECT_EQ(sums[0].count, 0.0);
+  EXPECT_EQ(sums[1].x, 1.0);
+  EXPECT_EQ(sums[14].x, 8.0);
+}
+
+TEST(CloudGrid, ASquareBoxLosesNoPoint) {
+  for (const int width : {1, 2, 10, 49, 130}) {
+    const SomeObject object(width, 63);
+    std::vector<CellSum> sums(49);
+    std::vector<CellSum> all(1);
+    EXPECT_EQ(SumCells(object.View(), 7, GridBox::kSquare, sums),
+              SumCells(object.View(), 1, GridBox::kFitted, all));
+  }
+}
+
 TEST(CloudGrid, StridesAndABoxOfThePicture) {
   const SomeObject object(30, 20);
   // The same points, four floats each, in the middle of wider rows.
@@ -119,7 +147,7 @@ TEST(CloudGrid, StridesAndABoxOfThePicture) {
 
 TEST(CloudGrid, OfNothingIsEmpty) {
   std::vector<CellSum> sums(9, CellSum{1.0, 1.0, 1.0, 1.0});
-  EXPECT_EQ(SumCells({}, 3, sums), 0U);
+  EXPECT_EQ(SumCells({}, 3, GridBox::kFitted, sums), 0U);
   for (const CellSum& sum : sums) EXPECT_EQ(sum.count, 0.0);
   sums.assign(9, CellSum{1.0, 1.0, 1.0, 1.0});
   EXPECT_EQ(SumPolarCells({}, 3, sums), 0U);

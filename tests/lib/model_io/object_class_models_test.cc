@@ -24,6 +24,7 @@ TEST(ObjectClassModels, ThereAndBack) {
   ObjectClassModel model = SomeObjectClasses();
   model.descriptor.scaling = features::CloudScaling::kUnit;
   model.descriptor.frame = features::CloudFrame::kCamera;
+  model.descriptor.box = features::GridBox::kSquare;
   model.outlier_step = 2.5;
   const ModelFile file = SomeObjectClassModel(model);
   const ObjectClassModel back = ReadObjectClassModel(Parse(Serialise(file), "test"));
@@ -31,6 +32,7 @@ TEST(ObjectClassModels, ThereAndBack) {
   EXPECT_EQ(back.descriptor.grid_size, 2);
   EXPECT_EQ(back.descriptor.scaling, features::CloudScaling::kUnit);
   EXPECT_EQ(back.descriptor.frame, features::CloudFrame::kCamera);
+  EXPECT_EQ(back.descriptor.box, features::GridBox::kSquare);
   EXPECT_EQ(back.outlier_step, 2.5);
   EXPECT_EQ(back.classes, model.classes);
   EXPECT_EQ(back.svm.support_vectors, model.svm.support_vectors);

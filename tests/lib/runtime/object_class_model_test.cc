@@ -60,7 +60,7 @@ TEST(ObjectClassModel, ClassifiesByHand) {
 
 TEST(ObjectClassModel, RefusesEachMissingTensor) {
   const ModelFile whole = testing::SomeObjectClassModel();
-  EXPECT_EQ(whole.tensors.size(), 24U);
+  EXPECT_EQ(whole.tensors.size(), 25U);
   for (const auto& entry : whole.tensors) {
     const std::string& name = entry.first;
     ExpectRefused([&](ModelFile& model) { model.tensors.erase(name); },
@@ -77,6 +77,7 @@ TEST(ObjectClassModel, RefusesDescriptorsItDoesNotKnow) {
   ExpectRefused(set("cloud_grid_size", 0), "'cloud_grid_size' is 0; a number from 1 to 128");
   ExpectRefused(set("cloud_grid_size", 129), "'cloud_grid_size' is 129; a number from 1 to 128");
   ExpectRefused(set("cloud_scaling", 2), "'cloud_scaling' is 2; a number from 0 to 1");
+  ExpectRefused(set("cloud_box", 2), "'cloud_box' is 2; a number from 0 to 1");
   ExpectRefused(set("cloud_frame", 2), "'cloud_frame' is 2; a number from 0 to 1");
   ExpectRefused(set("cloud_grid_size", 3),
                 "the machine reads 4 features and the descriptor has 9; train the model again");

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "datasets/formats/view_set.h"
+#include "datasets/object_clouds.h"
+#include "experiments/metrics/binary_metrics.h"
+#include "lib/core/progress.h"
+#include "lib/runtime/handcraft_runtime.h"
+
+namespace handcraft::experiments {
+
+/// How a model of object classes wants its clouds, from the file.
+[[nodiscard]] datasets::ObjectCloudOptions ReadCloudOptions(const std::filesystem::path& model);
+
+/// What the runtime says about an object's cloud.
+struct CloudClass {
+  bool has_points = false;  ///< else nothing below is set: too few were measured
+  std::size_t number = 0;
+  bool is_rejected = false;
+  double margin = 0.0;
+  std::vector<double> decision_values = {};  ///< one a machine
+};
+
+/// Classifies clouds with a model of kind object_class (hc_classify_cloud), one at a time. Throws
+/// Error(kUsage) for a model of another kind.
+class CloudClassifier {
+ public:
+  /// `model` outlives this object.
+  explicit CloudClassifier(const hc_model* model);
+
+  [[nodiscard]] CloudClass Classify(const datasets::MaskedCloud& object);
+
+ private:
+  struct FreeWorkspace {
+    void operator()(hc_workspace* workspace) const noexcept { hc_workspace_free(workspace); }
+  };
+
+  const hc_model* model_;
+  std::unique_ptr<hc_workspace, FreeWorkspace> workspace_;
+};
+
+/// Which of the model's classes is right for a class that it does not know: "other mug" is a mug.
+/// Several may be.
+using CountsAs = std::multimap<std::string, std::string>;
+
+struct CloudEvaluation {
+  std::size_t num_views = 0;
+  std::vector<std::string> truths = {};   ///< classes of the set, in the order of the views
+  std::vector<std::string> classes = {};  ///< of the model
+  /// A row a truth; a column a class, and a last one for "none of them".
+  std::vector<std::vector<std::size_t>> confusion = {};
+  std::size_t num_correct = 0;
+  std::size_t num_rejected = 0;  ///< with those of which too little was measured
+  Estimate accuracy = {};        ///< Wilson over views
+};
+
+/// Classifies every view. Throws Error(kBadInput) naming a class of the set, or of `counts_as`,
+/// that the model does not know, and as datasets::ReadObjectCloud does.
+[[nodiscard]] CloudEvaluation EvaluateClouds(const hc_model* model,
+                                             const datasets::ViewSet& set,
+                                             const datasets::ObjectCloudOptions& options,
+                                             const CountsAs& counts_as = {},
+                                             const Progress& progress = {});
+
+/// JSON text with stable keys ("accuracy", "confusion", …); two runs give the same bytes.
+[[nodiscard]] std::string ToJson(const CloudEvaluation& evaluation);
+
+}  // namespace handcraft::experiments
