@@ -96,7 +96,9 @@ ObjectClassTraining Finish(const Described& described,
 
 std::vector<std::uint32_t> FoldsOf(const datasets::ViewSet& set,
                                    const ObjectClassOptions& options) {
-  std::vector<std::uint32_t> folds = datasets::GroupedFolds(set, options.num_folds);
+  std::vector<std::uint32_t> folds = options.num_folds == kLeaveOneOut
+                                         ? svm::LeaveOneOutFolds(set.items.size())
+                                         : datasets::GroupedFolds(set, options.num_folds);
   Repeat(options.moved.num_copies, folds);
   return folds;
 }
@@ -108,6 +110,15 @@ std::size_t NumCorrect(const Described& described, const svm::CrossValidation& v
     num_correct += validation.predicted[i] == described.classes.values[i] ? 1 : 0;
   }
   return num_correct;
+}
+
+void TakeValidation(const Described& described,
+                    svm::CrossValidation validation,
+                    ObjectClassTraining& training) {
+  training.num_validated = described.num_views;
+  training.num_correct = NumCorrect(described, validation);
+  training.predicted = std::move(validation.predicted);
+  training.predicted.resize(described.num_views);
 }
 
 svm::Grid SearchedGrid(double natural_gamma) {
@@ -182,10 +193,10 @@ void ObjectClassOptions::Validate() const {
                 "ObjectClassOptions.descriptor.grid_size",
                 descriptor.grid_size,
                 "from 1 to 128");
-  RequireOption(num_folds == 0 || num_folds >= 2,
+  RequireOption(num_folds == kLeaveOneOut || num_folds == 0 || num_folds >= 2,
                 "ObjectClassOptions.num_folds",
                 num_folds,
-                "0 for none, or at least 2");
+                "0 for none, -1 for each view on its own, or at least 2");
   datasets::ObjectCloudOptions{.outlier_step = outlier_step}.Validate();
   moved.Validate();
   svm.Validate();
@@ -203,9 +214,8 @@ ObjectClassTraining TrainObjectClasses(const datasets::ViewSet& set,
                                                   svm.SimilarityFor(described.samples.num_features),
                                                   described.samples,
                                                   svm.num_threads);
-  training.num_correct = NumCorrect(
-      described, svm::CrossValidate(gram, described.samples, FoldsOf(set, options), svm));
-  training.num_validated = set.items.size();
+  TakeValidation(
+      described, svm::CrossValidate(gram, described.samples, FoldsOf(set, options), svm), training);
   return training;
 }
 
@@ -224,8 +234,7 @@ ObjectClassTraining SearchObjectClasses(const datasets::ViewSet& set,
                                                  options.svm);
   const svm::GridPoint& best = search.points[search.best];
   ObjectClassTraining training = Finish(described, options, best.options);
-  training.num_correct = NumCorrect(described, best.validation);
-  training.num_validated = set.items.size();
+  TakeValidation(described, best.validation, training);
   for (const svm::GridPoint& point : search.points) {
     training.tried.push_back({.kernel = std::string(features::NameOf(point.options.kernel)),
                               .degree = point.options.degree,

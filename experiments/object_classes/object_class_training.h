@@ -18,12 +18,15 @@
 
 namespace handcraft::experiments {
 
+inline constexpr int kLeaveOneOut = -1;
+
 struct ObjectClassOptions {
   features::CloudDescriptor descriptor = {};
   double outlier_step = 1.5;  ///< datasets::ObjectCloudOptions
   svm::Options svm = {};      ///< a gamma of 0 is 1 / the mean squared length of the features
   datasets::MovedCopyOptions moved = {};  ///< copies of the views that are trained on besides
-  int num_folds = 12;                     ///< of cross-validation (datasets::GroupedFolds); 0: none
+  /// Of cross-validation (datasets::GroupedFolds); 0: none; kLeaveOneOut: each view on its own.
+  int num_folds = 12;
 
   /// Degree 2 with the constant 1, C = 100.
   ObjectClassOptions();
@@ -61,8 +64,10 @@ struct ObjectClassTraining {
   std::vector<std::uint32_t> classes = {};  ///< of each row trained on, a number of model.classes
   svm::Options svm = {};                    ///< as it was trained, gamma filled in
   svm::Summary summary = {};
-  std::size_t num_validated = 0;             ///< views; 0 without cross-validation
-  std::size_t num_correct = 0;               ///< of those
+  std::size_t num_validated = 0;  ///< views; 0 without cross-validation
+  std::size_t num_correct = 0;    ///< of those
+  /// What machines that were trained without a view's fold say of it; none without folds.
+  std::vector<std::uint32_t> predicted = {};
   std::vector<TriedCombination> tried = {};  ///< of a search
 };
 

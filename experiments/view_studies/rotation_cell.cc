@@ -30,20 +30,17 @@ struct DescribedView {
 };
 
 // All views that can be asked about, with their descriptions.
-std::vector<DescribedView> DescribeAll(const ViewData& data, int num_threads) {
+std::vector<DescribedView> DescribeAll(const datasets::ViewSet& set, int num_threads) {
+  const std::vector<features::ViewDescription> descriptions =
+      datasets::DescribeViews(set, num_threads, {});
   std::vector<DescribedView> views;
-  std::size_t number = 0;
-  for (const datasets::ViewSet& set : data.sets) {
-    const std::vector<features::ViewDescription> descriptions =
-        datasets::DescribeViews(set, num_threads, {});
-    for (std::size_t i = 0; i < set.items.size(); ++i, ++number) {
-      const datasets::ObjectView& item = set.items[i];
-      if (!item.angle_deg || item.symmetry == "round") continue;
-      views.push_back({.description = descriptions[i],
-                       .label = data.labels[number],
-                       .symmetry = item.symmetry.empty() ? "none" : item.symmetry,
-                       .angle_deg = *item.angle_deg});
-    }
+  for (std::size_t i = 0; i < set.items.size(); ++i) {
+    const datasets::ObjectView& item = set.items[i];
+    if (!item.angle_deg || item.symmetry == "round") continue;
+    views.push_back({.description = descriptions[i],
+                     .label = item.object_class,
+                     .symmetry = item.symmetry.empty() ? "none" : item.symmetry,
+                     .angle_deg = *item.angle_deg});
   }
   return views;
 }
@@ -127,8 +124,8 @@ bool IsRightRotation(double difference_deg, std::string_view symmetry) noexcept 
 }
 
 ViewCellResult FindRotations(const ViewCell& cell,
-                             const ViewData& train,
-                             const ViewData* test,
+                             const datasets::ViewSet& train,
+                             const datasets::ViewSet* test,
                              int num_threads) {
   const std::vector<DescribedView> learnt = DescribeAll(train, num_threads);
   const std::vector<DescribedView> others =

@@ -3,8 +3,8 @@
 
 #pragma once
 
+#include "datasets/formats/view_set.h"
 #include "experiments/view_studies/view_cell_result.h"
-#include "experiments/view_studies/view_data.h"
 #include "experiments/view_studies/view_study.h"
 
 namespace handcraft::experiments {
@@ -21,8 +21,8 @@ inline constexpr double kRotationBinDeg = 10.0;
 /// Objects that are round, and views without angle, are left out (dissertation, section 4.3.2).
 /// Throws Error(kBadInput) for a view that cannot be described, and when nothing is left.
 [[nodiscard]] ViewCellResult FindRotations(const ViewCell& cell,
-                                           const ViewData& train,
-                                           const ViewData* test,
+                                           const datasets::ViewSet& train,
+                                           const datasets::ViewSet* test,
                                            int num_threads);
 
 /// The bin of a difference of angles [deg].

@@ -3,11 +3,7 @@
 
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "datasets/formats/view_set.h"
 #include "experiments/view_studies/view_study.h"
@@ -15,28 +11,17 @@
 
 namespace handcraft::experiments {
 
-/// The views of a source, set after set.
-struct ViewData {
-  std::vector<datasets::ViewSet> sets;
-  std::vector<std::string> labels;   ///< class of each view; of several sets "drill 2"
-  std::vector<std::string> classes;  ///< each label once, in the order of its first view
-  std::string fingerprint = {};      ///< SHA-256 over those of the sets
+/// The views of a source as one set. Made sets lie in folders below `made_folder`, which is then
+/// the set's own; of several sets (ViewSource::num_sets) a class is "drill 2". Goes on with what an
+/// earlier call has made there. Throws Error as ReadViewSet and MakeViewSet do.
+[[nodiscard]] datasets::ViewSet ProvideViews(const ViewSource& source,
+                                             const std::filesystem::path& made_folder,
+                                             int num_threads,
+                                             const Progress& progress);
 
-  /// All views, as they are numbered in `labels`.
-  [[nodiscard]] std::size_t NumViews() const noexcept { return labels.size(); }
-  [[nodiscard]] const datasets::ObjectView& View(std::size_t number) const;
-};
-
-/// Reads the folder of a source or makes its views, in folders below `made_folder`; goes on with
-/// what an earlier call has made there. Throws Error as ReadViewSet and MakeViewSet do.
-[[nodiscard]] ViewData ProvideViews(const ViewSource& source,
-                                    const std::filesystem::path& made_folder,
-                                    int num_threads,
-                                    const Progress& progress);
-
-/// The number of each view's label among `classes`. Throws Error(kBadInput) naming a label that is
-/// none of them.
-[[nodiscard]] std::vector<std::uint32_t> LabelNumbers(const std::vector<std::string>& labels,
-                                                      std::span<const std::string> classes);
+/// The views of the first classes of a set alone; all when `num_classes` is 0. Throws Error(kUsage)
+/// when there are fewer.
+[[nodiscard]] datasets::ViewSet OnlyFirstClasses(const datasets::ViewSet& set,
+                                                 std::size_t num_classes);
 
 }  // namespace handcraft::experiments

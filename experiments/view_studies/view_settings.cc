@@ -15,6 +15,7 @@ using features::CloudDescriptorType;
 using features::CloudFrame;
 using features::CloudScaling;
 using features::ComparedMoments;
+using features::GridBox;
 using features::SimilarityType;
 
 template <class Number>
@@ -47,64 +48,73 @@ struct Key {
 constexpr std::array kKeys = {
     Key{"descriptor",
         [](const Setting& setting, ViewSettings& settings) {
-          settings.descriptor.type = ParseWord(setting,
-                                               {CloudDescriptorType::kGrid,
-                                                CloudDescriptorType::kDepthGrid,
-                                                CloudDescriptorType::kPolar});
+          settings.classes.descriptor.type = ParseWord(setting,
+                                                       {CloudDescriptorType::kGrid,
+                                                        CloudDescriptorType::kDepthGrid,
+                                                        CloudDescriptorType::kPolar});
         }},
     Key{"grid_size",
         [](const Setting& setting, ViewSettings& settings) {
-          settings.descriptor.grid_size = ParseWithin(setting, 1, features::kMaxGridSize);
+          settings.classes.descriptor.grid_size = ParseWithin(setting, 1, features::kMaxGridSize);
         }},
     Key{"scaling",
         [](const Setting& setting, ViewSettings& settings) {
-          settings.descriptor.scaling =
+          settings.classes.descriptor.scaling =
               ParseWord(setting, {CloudScaling::kMetric, CloudScaling::kUnit});
         }},
     Key{"frame",
         [](const Setting& setting, ViewSettings& settings) {
-          settings.cloud.frame = ParseWord(setting, {CloudFrame::kBase, CloudFrame::kCamera});
-          settings.descriptor.frame = settings.cloud.frame;
+          settings.classes.descriptor.frame =
+              ParseWord(setting, {CloudFrame::kBase, CloudFrame::kCamera});
         }},
     Key{"outlier_step",
         [](const Setting& setting, ViewSettings& settings) {
-          settings.cloud.outlier_step = ParseFromZero(setting);
+          settings.classes.outlier_step = ParseWithin(setting, 0.0, 100.0);
+        }},
+    Key{"box",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.classes.descriptor.box =
+              ParseWord(setting, {GridBox::kFitted, GridBox::kSquare});
+        }},
+    Key{"moved_copies",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.classes.moved.num_copies = ParseWithin(setting, 0, 100);
         }},
     Key{"kernel",
         [](const Setting& setting, ViewSettings& settings) {
-          settings.svm.kernel = ParseWord(
+          settings.classes.svm.kernel = ParseWord(
               setting,
               {SimilarityType::kLinear, SimilarityType::kPolynomial, SimilarityType::kRbf});
         }},
     Key{"degree",
         [](const Setting& setting, ViewSettings& settings) {
-          settings.svm.degree = ParseWithin(setting, 1, 1000);
+          settings.classes.svm.degree = ParseWithin(setting, 1, 1000);
         }},
     Key{"gamma",
         [](const Setting& setting, ViewSettings& settings) {
-          settings.svm.gamma = ParseFromZero(setting);
+          settings.classes.svm.gamma = ParseFromZero(setting);
         }},
     Key{"coef0",
         [](const Setting& setting, ViewSettings& settings) {
-          settings.svm.coef0 = ParseFromZero(setting);
+          settings.classes.svm.coef0 = ParseFromZero(setting);
         }},
     Key{"C",
         [](const Setting& setting, ViewSettings& settings) {
-          settings.svm.penalty = ParseAboveZero(setting);
+          settings.classes.svm.penalty = ParseAboveZero(setting);
         }},
     Key{"scheme",
         [](const Setting& setting, ViewSettings& settings) {
-          settings.svm.scheme = setting.value == "one-against-all" ? ClassScheme::kOneAgainstAll
-                                : setting.value == "one-against-one"
-                                    ? ClassScheme::kOneAgainstOne
-                                    : (FailSetting(setting,
-                                                   "one-against-one or "
-                                                   "one-against-all"),
-                                       ClassScheme::kOneAgainstOne);
+          settings.classes.svm.scheme =
+              setting.value == "one-against-all"   ? ClassScheme::kOneAgainstAll
+              : setting.value == "one-against-one" ? ClassScheme::kOneAgainstOne
+                                                   : (FailSetting(setting,
+                                                                  "one-against-one or "
+                                                                  "one-against-all"),
+                                                      ClassScheme::kOneAgainstOne);
         }},
     Key{"standardize",
         [](const Setting& setting, ViewSettings& settings) {
-          settings.svm.standardize = ParseSwitch(setting);
+          settings.classes.svm.standardize = ParseSwitch(setting);
         }},
     Key{"moments",
         [](const Setting& setting, ViewSettings& settings) {

@@ -7,20 +7,16 @@
 #include <span>
 #include <string_view>
 
-#include "datasets/object_clouds.h"
+#include "experiments/object_classes/object_class_training.h"
 #include "experiments/runner/setting.h"
-#include "lib/features/cloud_descriptor.h"
 #include "lib/features/object_rotation.h"
-#include "trainers/svm/svm.h"
 
 namespace handcraft::experiments {
 
 /// What a cell of a study of views does: how it describes a cloud, how it tells classes apart, how
 /// it finds the most similar view.
 struct ViewSettings {
-  features::CloudDescriptor descriptor = {};  ///< its frame is that of `cloud`
-  datasets::ObjectCloudOptions cloud = {};
-  svm::Options svm = {.coef0 = 1.0};
+  ObjectClassOptions classes = {};
   features::RotationRule rotation = {};
   std::size_t num_classes = 0;  ///< the first ones alone; 0: all
 };

@@ -116,7 +116,7 @@ std::string HeaderText(const ViewStudyRun& run) {
       fmt::format("<header><p class=\"kicker\">Study {} · {} cells · {} views</p>\n<h1>{}</h1>\n",
                   EscapeHtml(run.study.name),
                   run.cells.size(),
-                  run.test ? run.test->NumViews() : run.train.NumViews(),
+                  (run.test ? *run.test : run.train).items.size(),
                   EscapeHtml(run.study.title));
   if (!run.study.question.empty()) {
     text += fmt::format("<p class=\"lead\">{}</p>\n", EscapeHtml(run.study.question));
@@ -148,7 +148,7 @@ std::string InputsText(const ViewStudyRun& run) {
                         EscapeHtml(line.substr(equals + 3)));
   }
   return text + fmt::format("<dt>views</dt><dd><code>{}</code></dd>\n</dl>\n",
-                            EscapeHtml(run.train.fingerprint));
+                            EscapeHtml(datasets::Fingerprint(run.train)));
 }
 
 std::string SummaryText(const ViewStudyRun& run) {
@@ -159,7 +159,7 @@ std::string SummaryText(const ViewStudyRun& run) {
           MarkdownText(SharesTable(run)) + "## Times\n\n" + MarkdownText(TimesTable(run)) +
           "## Inputs\n\n";
   for (const std::string& line : CanonicalLines(run.study)) text += "- " + line + "\n";
-  return text + "- views: " + run.train.fingerprint + "\n";
+  return text + "- views: " + datasets::Fingerprint(run.train) + "\n";
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "experiments/runner/pinned_inputs.h"
 #include "experiments/view_studies/class_cell.h"
 #include "experiments/view_studies/rotation_cell.h"
+#include "experiments/view_studies/view_data.h"
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
 #include "lib/core/option_rules.h"
@@ -67,15 +68,13 @@ std::string TimesCsv(const std::vector<ViewCellResult>& results) {
 
 std::vector<ViewCellResult> WorkOutCells(const ViewStudyRun& run,
                                          const ViewStudyRunOptions& options) {
-  const ViewData* const test = run.test ? &*run.test : nullptr;
-  DescribedViews clouds;
+  const datasets::ViewSet* const test = run.test ? &*run.test : nullptr;
   std::vector<ViewCellResult> results;
   for (const ViewCell& cell : run.cells) {
     Report(options.progress, "cells", results.size(), run.cells.size());
     results.push_back(
         run.study.task == ViewTask::kObjectClass
-            ? TellClasses(
-                  run.study, cell, run.train, test, clouds, options.num_threads, options.progress)
+            ? TellClasses(run.study, cell, run.train, test, options.num_threads, options.progress)
             : FindRotations(cell, run.train, test, options.num_threads));
   }
   Report(options.progress, "cells", run.cells.size(), run.cells.size());
@@ -92,11 +91,11 @@ ViewStudyRun RunViewStudy(const ViewStudy& study, const ViewStudyRunOptions& opt
   inputs.Pin("study", fmt::format("{}\n", fmt::join(CanonicalLines(study), "\n")));
   run.train =
       ProvideViews(study.train, options.out / "train", options.num_threads, options.progress);
-  inputs.Pin("data.train", run.train.fingerprint + "\n");
+  inputs.Pin("data.train", datasets::Fingerprint(run.train) + "\n");
   if (study.test) {
     run.test =
         ProvideViews(*study.test, options.out / "test", options.num_threads, options.progress);
-    inputs.Pin("data.test", run.test->fingerprint + "\n");
+    inputs.Pin("data.test", datasets::Fingerprint(*run.test) + "\n");
   }
   run.results = WorkOutCells(run, options);
   WriteFileAtomically(options.out / "results.csv", ResultsCsv(run.results));

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "datasets/formats/view_set.h"
 #include "experiments/view_studies/view_cell_result.h"
-#include "experiments/view_studies/view_data.h"
 #include "experiments/view_studies/view_study.h"
 #include "lib/core/progress.h"
 
@@ -23,8 +23,8 @@ struct ViewStudyRunOptions {
 /// A study of views with all its cells worked out.
 struct ViewStudyRun {
   ViewStudy study;
-  ViewData train = {};
-  std::optional<ViewData> test = {};
+  datasets::ViewSet train = {};
+  std::optional<datasets::ViewSet> test = {};
   std::vector<ViewCell> cells = {};
   std::vector<ViewCellResult> results = {};  ///< one a cell
 };

@@ -20,18 +20,15 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 // Six views of four objects, made once.
-const ViewData& SmallTurntable() {
+const datasets::ViewSet& SmallTurntable() {
   static const TemporaryDirectory kFolder;
-  static const ViewData kData = [] {
-    MakeSmallViews(kFolder / "set", 6);
-    return ProvideViews({.folder = (kFolder / "set").string()}, kFolder / "made", 1, {});
-  }();
-  return kData;
+  static const datasets::ViewSet kSet = MakeSmallViews(kFolder / "set", 6);
+  return kSet;
 }
 
 ViewCell CellOf(std::initializer_list<Setting> list) {
   ViewCell cell{.id = "cell", .method = "cell", .factors = {}, .settings = {}};
-  cell.settings.descriptor.grid_size = 10;
+  cell.settings.classes.descriptor.grid_size = 10;
   for (const Setting& setting : list) ApplyViewSetting(setting, cell.settings);
   return cell;
 }
@@ -44,9 +41,7 @@ ViewStudy Accepting(const std::string& name) {
 }
 
 TEST(TellClasses, LeavesEachViewOut) {
-  DescribedViews described;
-  const ViewCellResult result =
-      TellClasses({}, CellOf({}), SmallTurntable(), nullptr, described, 2, {});
+  const ViewCellResult result = TellClasses({}, CellOf({}), SmallTurntable(), nullptr, 2, {});
   EXPECT_THAT(result.answers.columns,
               ElementsAre("water_bottle", "spray_bottle", "coffee_can", "drill"));
   ASSERT_EQ(result.groups.size(), 5U);
@@ -54,46 +49,36 @@ TEST(TellClasses, LeavesEachViewOut) {
   EXPECT_EQ(result.groups[4].num_views, 24U);
   EXPECT_GE(result.groups[4].num_right, 18U) << "objects this different are told apart";
   for (std::size_t row = 0; row < 4; ++row) EXPECT_EQ(result.groups[row].num_views, 6U);
-  // Threads change nothing, and a second cell reads the features that are there.
-  const ViewCellResult again =
-      TellClasses({}, CellOf({}), SmallTurntable(), nullptr, described, 1, {});
+  // Threads change nothing.
+  const ViewCellResult again = TellClasses({}, CellOf({}), SmallTurntable(), nullptr, 1, {});
   EXPECT_EQ(again.answers.counts, result.answers.counts);
 }
 
 // What was learnt is known again, whatever each class is called right for.
 TEST(TellClasses, ClassifiesOtherViewsByTheRuntime) {
-  DescribedViews described;
-  const ViewCellResult result = TellClasses(Accepting("coffee_can"),
-                                            CellOf({{"C", "100"}}),
-                                            SmallTurntable(),
-                                            &SmallTurntable(),
-                                            described,
-                                            1,
-                                            {});
+  const ViewCellResult result = TellClasses(
+      Accepting("coffee_can"), CellOf({{"C", "100"}}), SmallTurntable(), &SmallTurntable(), 1, {});
   EXPECT_EQ(result.groups[0].num_right, 6U);
   EXPECT_EQ(result.groups[3].num_right, 0U) << "drills are drills, but a can was asked for";
   EXPECT_EQ(result.answers.counts[3][3], 6U);
 }
 
 TEST(TellClasses, CanBeAskedForFewerClasses) {
-  DescribedViews described;
   const ViewCellResult result =
-      TellClasses({}, CellOf({{"num_classes", "2"}}), SmallTurntable(), nullptr, described, 1, {});
+      TellClasses({}, CellOf({{"num_classes", "2"}}), SmallTurntable(), nullptr, 1, {});
   EXPECT_EQ(result.groups.back().num_views, 12U);
-  EXPECT_THROWS_MESSAGE(
-      static_cast<void>(TellClasses(
-          {}, CellOf({{"num_classes", "5"}}), SmallTurntable(), nullptr, described, 1, {})),
-      Error,
-      HasSubstr("num_classes is 5, and there are 4 classes"));
+  EXPECT_THROWS_MESSAGE(static_cast<void>(TellClasses(
+                            {}, CellOf({{"num_classes", "5"}}), SmallTurntable(), nullptr, 1, {})),
+                        Error,
+                        HasSubstr("num_classes is 5, and there are 4 classes"));
 }
 
 TEST(TellClasses, RefusesAnAssociationWithNoClass) {
-  DescribedViews described;
   EXPECT_THROWS_MESSAGE(
-      static_cast<void>(TellClasses(
-          Accepting("saw"), CellOf({}), SmallTurntable(), &SmallTurntable(), described, 1, {})),
+      static_cast<void>(
+          TellClasses(Accepting("saw"), CellOf({}), SmallTurntable(), &SmallTurntable(), 1, {})),
       Error,
-      HasSubstr("the class \"saw\" is none of those"));
+      HasSubstr("saw"));
 }
 
 }  // namespace

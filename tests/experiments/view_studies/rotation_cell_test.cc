@@ -43,8 +43,7 @@ TEST(IsRightRotation, KnowsHalfTurns) {
 
 TEST(FindRotations, LeavesRoundObjectsOutAndGroupsBySymmetry) {
   const TemporaryDirectory folder;
-  MakeSmallViews(folder / "set", 6);
-  const ViewData data = ProvideViews({.folder = (folder / "set").string()}, folder / "made", 1, {});
+  const datasets::ViewSet data = MakeSmallViews(folder / "set", 6);
   const ViewCell cell{.id = "all", .method = "all", .factors = {}, .settings = {}};
   const ViewCellResult result = FindRotations(cell, data, nullptr, 2);
   EXPECT_THAT(result.answers.rows, ElementsAre("spray_bottle", "coffee_can", "drill"));
@@ -64,13 +63,12 @@ TEST(FindRotations, LeavesRoundObjectsOutAndGroupsBySymmetry) {
 
 TEST(FindRotations, RefusesViewsWithoutAngles) {
   const TemporaryDirectory folder;
-  MakeSmallViews(folder / "set", 1);
-  ViewData data = ProvideViews({.folder = (folder / "set").string()}, folder / "made", 1, {});
+  datasets::ViewSet data = MakeSmallViews(folder / "set", 1);
   const ViewCell cell{.id = "all", .method = "all", .factors = {}, .settings = {}};
   EXPECT_THROWS_MESSAGE(static_cast<void>(FindRotations(cell, data, nullptr, 1)),
                         Error,
                         HasSubstr("no other view of \"spray_bottle\" was learnt"));
-  for (datasets::ObjectView& view : data.sets[0].items) view.angle_deg.reset();
+  for (datasets::ObjectView& view : data.items) view.angle_deg.reset();
   EXPECT_THROWS_MESSAGE(static_cast<void>(FindRotations(cell, data, nullptr, 1)),
                         Error,
                         HasSubstr("no view has an angle"));

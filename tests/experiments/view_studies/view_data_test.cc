@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "datasets/view_folds.h"
 #include "lib/core/error.h"
 #include "tests/experiments/view_studies/small_views.h"
 #include "tests/support/expect_throws_message.h"
@@ -21,24 +22,24 @@ using ::testing::HasSubstr;
 
 TEST(ProvideViews, ReadsAFolder) {
   const TemporaryDirectory folder;
-  const datasets::ViewSet set = MakeSmallViews(folder / "set", 1);
-  const ViewData data = ProvideViews({.folder = (folder / "set").string()}, folder / "made", 1, {});
-  EXPECT_THAT(data.classes, ElementsAre("water_bottle", "spray_bottle", "coffee_can", "drill"));
-  EXPECT_EQ(data.NumViews(), 4U);
-  EXPECT_EQ(data.View(2).image, set.items[2].image);
-  EXPECT_THROW(static_cast<void>(data.View(4)), std::out_of_range);
+  const datasets::ViewSet made = MakeSmallViews(folder / "set", 1);
+  const datasets::ViewSet set =
+      ProvideViews({.folder = (folder / "set").string()}, folder / "made", 1, {});
+  EXPECT_EQ(datasets::Fingerprint(set), datasets::Fingerprint(made));
   EXPECT_FALSE(std::filesystem::exists(folder / "made"));
   EXPECT_THROW(static_cast<void>(ProvideViews({.folder = "missing"}, folder / "made", 1, {})),
                Error);
 }
 
-TEST(LabelNumbers, NumbersByTheClassesGiven) {
-  const std::vector<std::string> classes = {"mug", "can"};
-  EXPECT_THAT(LabelNumbers({"can", "mug", "can"}, classes), ElementsAre(1U, 0U, 1U));
-  EXPECT_THROWS_MESSAGE(
-      static_cast<void>(LabelNumbers({"pan"}, classes)),
-      Error,
-      HasSubstr("the class \"pan\" is none of those that were learnt: mug, can (say in"));
+TEST(OnlyFirstClasses, KeepsTheViewsOfSo) {
+  const TemporaryDirectory folder;
+  const datasets::ViewSet set = MakeSmallViews(folder / "set", 2);
+  EXPECT_EQ(OnlyFirstClasses(set, 0).items.size(), 8U);
+  EXPECT_THAT(datasets::ClassesOf(OnlyFirstClasses(set, 2)).names,
+              ElementsAre("water_bottle", "spray_bottle"));
+  EXPECT_THROWS_MESSAGE(static_cast<void>(OnlyFirstClasses(set, 5)),
+                        Error,
+                        HasSubstr("num_classes is 5, and there are 4 classes"));
 }
 
 }  // namespace

@@ -26,6 +26,8 @@ TEST(ViewSettings, EveryKeyIsTaken) {
                                          {"scaling", "unit"},
                                          {"frame", "camera"},
                                          {"outlier_step", "3"},
+                                         {"box", "square"},
+                                         {"moved_copies", "4"},
                                          {"kernel", "rbf"},
                                          {"degree", "2"},
                                          {"gamma", "0.5"},
@@ -37,24 +39,25 @@ TEST(ViewSettings, EveryKeyIsTaken) {
                                          {"candidates", "6"},
                                          {"angle_weight", "0"},
                                          {"num_classes", "4"}});
-  EXPECT_EQ(settings.descriptor.type, features::CloudDescriptorType::kPolar);
-  EXPECT_EQ(settings.descriptor.grid_size, 20);
-  EXPECT_EQ(settings.descriptor.scaling, features::CloudScaling::kUnit);
-  EXPECT_EQ(settings.cloud.frame, features::CloudFrame::kCamera);
-  EXPECT_EQ(settings.descriptor.frame, features::CloudFrame::kCamera);
-  EXPECT_EQ(settings.cloud.outlier_step, 3.0);
-  EXPECT_EQ(settings.svm.kernel, features::SimilarityType::kRbf);
-  EXPECT_EQ(settings.svm.degree, 2);
-  EXPECT_EQ(settings.svm.gamma, 0.5);
-  EXPECT_EQ(settings.svm.coef0, 0.0);
-  EXPECT_EQ(settings.svm.penalty, 10.0);
-  EXPECT_EQ(settings.svm.scheme, features::ClassScheme::kOneAgainstAll);
-  EXPECT_TRUE(settings.svm.standardize);
+  EXPECT_EQ(settings.classes.descriptor.type, features::CloudDescriptorType::kPolar);
+  EXPECT_EQ(settings.classes.descriptor.grid_size, 20);
+  EXPECT_EQ(settings.classes.descriptor.scaling, features::CloudScaling::kUnit);
+  EXPECT_EQ(settings.classes.descriptor.frame, features::CloudFrame::kCamera);
+  EXPECT_EQ(settings.classes.outlier_step, 3.0);
+  EXPECT_EQ(settings.classes.svm.kernel, features::SimilarityType::kRbf);
+  EXPECT_EQ(settings.classes.svm.degree, 2);
+  EXPECT_EQ(settings.classes.svm.gamma, 0.5);
+  EXPECT_EQ(settings.classes.svm.coef0, 0.0);
+  EXPECT_EQ(settings.classes.svm.penalty, 10.0);
+  EXPECT_EQ(settings.classes.svm.scheme, features::ClassScheme::kOneAgainstAll);
+  EXPECT_TRUE(settings.classes.svm.standardize);
   EXPECT_EQ(settings.rotation.moments, features::ComparedMoments::kPrinted);
   EXPECT_EQ(settings.rotation.num_candidates, 6U);
   EXPECT_EQ(settings.rotation.angle_weight, 0.0);
+  EXPECT_EQ(settings.classes.descriptor.box, features::GridBox::kSquare);
+  EXPECT_EQ(settings.classes.moved.num_copies, 4);
   EXPECT_EQ(settings.num_classes, 4U);
-  EXPECT_EQ(ViewSettingKeys().size(), 16U) << "a new key is tried here";
+  EXPECT_EQ(ViewSettingKeys().size(), 18U) << "a new key is tried here";
 }
 
 TEST(ViewSettings, RefuseWhatDoesNotFit) {

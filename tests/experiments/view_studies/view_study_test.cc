@@ -74,9 +74,9 @@ TEST(ViewStudy, CellsAreMethodsTimesFactors) {
   const std::vector<ViewCell> cells = MakeViewCells(Parse(std::string(kWhole)));
   ASSERT_EQ(cells.size(), 4U);
   EXPECT_EQ(cells[3].id, "unit,C=10");
-  EXPECT_EQ(cells[3].settings.svm.penalty, 10.0);
-  EXPECT_EQ(cells[3].settings.descriptor.scaling, features::CloudScaling::kUnit);
-  EXPECT_EQ(cells[0].settings.descriptor.scaling, features::CloudScaling::kMetric);
+  EXPECT_EQ(cells[3].settings.classes.svm.penalty, 10.0);
+  EXPECT_EQ(cells[3].settings.classes.descriptor.scaling, features::CloudScaling::kUnit);
+  EXPECT_EQ(cells[0].settings.classes.descriptor.scaling, features::CloudScaling::kMetric);
 }
 
 TEST(ViewStudy, EverythingThatChangesAResultIsInItsLines) {
