@@ -12,7 +12,7 @@ struct ObjectClassBenchmarkSize {
   int views_per_class = 36;
   int grid_size = 50;
   int object_px = 200;  ///< side of the object's box, in a picture of 640 × 480
-  int peer_folds = 2;   ///< leave-one-out: folds the peer trains; its time is extrapolated to all
+  int peer_folds = 12;  ///< leave-one-out: folds the peer trains; its time is extrapolated to all
   int repetitions = 3;
 };
 

@@ -39,8 +39,6 @@ enum class CloudFrame : std::uint8_t {
 /// "fitted" or "square".
 [[nodiscard]] std::string_view NameOf(GridBox box) noexcept;
 
-inline constexpr int kMaxGridSize = 128;
-
 /// Turns the cloud of an object into a feature vector of constant length. With M the mean of the
 /// object's points and m_c, n_c the mean and number of those in cell c (SumCells, SumPolarCells):
 ///   F_c = (m_c − M) / s,   F_c = 0 where n_c = 0,

@@ -4,6 +4,7 @@
 #include "lib/features/cloud_grid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -95,14 +96,16 @@ std::size_t SumCells(const ObjectCloud& cloud,
   const int longer = std::max(extent.Width(), extent.Height());
   const Axis columns(extent.u_begin, extent.Width(), box == GridBox::kSquare ? longer : 0, side);
   const Axis rows(extent.v_begin, extent.Height(), box == GridBox::kSquare ? longer : 0, side);
+  std::array<int, kMaxGridSize + 1> column_begins;  // a division each: once, not in every row
+  for (int column = 0; column <= side; ++column) {
+    column_begins[static_cast<std::size_t>(column)] = columns.Begin(column);
+  }
   for (int row = 0; row < side; ++row) {
     const int v_end = rows.Begin(row + 1);
     for (int v = rows.Begin(row); v < v_end; ++v) {
       CellSum* cells = sums.data() + static_cast<std::ptrdiff_t>(row) * side;
-      for (int column = 0, u = columns.Begin(0); column < side; ++column) {
-        const int u_end = columns.Begin(column + 1);
-        AddRun(cloud, u, u_end, v, cells[column]);
-        u = u_end;
+      for (std::size_t column = 0; column < static_cast<std::size_t>(side); ++column) {
+        AddRun(cloud, column_begins[column], column_begins[column + 1], v, cells[column]);
       }
     }
   }

@@ -11,6 +11,9 @@
 
 namespace handcraft::features {
 
+/// Cells along a side of a grid, at most.
+inline constexpr int kMaxGridSize = 128;
+
 /// What the points of a cell add up to.
 struct CellSum {
   double x = 0.0;  ///< [m]
@@ -31,10 +34,10 @@ enum class GridBox : std::uint8_t {
 /// whatever the size; cell (row, column) is number row · side + column. A box with fewer pixels
 /// than cells leaves cells empty.
 ///
-/// `sums` has side² entries. Returns the number of points. Sums of doubles in the order of the
-/// pixels; does not allocate; thread-safe.
-/// Source: dissertation, section 4.2.2, Algorithm 1, whose whole-numbered cells divide by zero on
-/// small objects and reach row `side` on others (docs/errata.md).
+/// `side` is from 1 to kMaxGridSize, `sums` has side² entries. Returns the number of points. Sums
+/// of doubles in the order of the pixels; does not allocate; thread-safe. Source: dissertation,
+/// section 4.2.2, Algorithm 1, whose whole-numbered cells divide by zero on small objects and reach
+/// row `side` on others (docs/errata.md).
 [[nodiscard]] std::size_t SumCells(const ObjectCloud& cloud,
                                    int side,
                                    GridBox box,

@@ -9,23 +9,31 @@
 namespace handcraft::features {
 namespace {
 
-// The first column of row v from `u` on that may hold a pixel of the object: eight bytes of the
-// mask at once.
-int SkipOutside(const ObjectCloud& cloud, int v, int u, int end) noexcept {
-  if (cloud.mask == nullptr) return u;
-  const std::uint8_t* row = cloud.mask + v * cloud.mask_stride;
-  for (; u + 8 <= end; u += 8) {
-    std::uint64_t eight = 0;
-    std::memcpy(&eight, row + u, sizeof eight);
-    if (eight != 0) break;
+// Whether eight bytes of the mask from column u on are all 0.
+bool IsOutside(const ObjectCloud& cloud, int u, int v) noexcept {
+  std::uint64_t eight = 0;
+  std::memcpy(&eight, cloud.mask + v * cloud.mask_stride + u, sizeof eight);
+  return eight == 0;
+}
+
+// The first column of row v that has a point of the object; the width when there is none.
+int FirstInRow(const ObjectCloud& cloud, int v) noexcept {
+  int u = 0;
+  if (cloud.mask != nullptr) {
+    while (u + 8 <= cloud.width && IsOutside(cloud, u, v)) u += 8;
   }
+  while (u < cloud.width && !cloud.Has(u, v)) ++u;
   return u;
 }
 
-int FirstInRow(const ObjectCloud& cloud, int v) noexcept {
-  int u = SkipOutside(cloud, v, 0, cloud.width);
-  while (u < cloud.width && !cloud.Has(u, v)) ++u;
-  return u;
+// The column behind the last one of row v that has a point, or `least` when that is no smaller.
+int EndInRow(const ObjectCloud& cloud, int least, int v) noexcept {
+  int end = cloud.width;
+  if (cloud.mask != nullptr) {
+    while (end - 8 >= least && IsOutside(cloud, end - 8, v)) end -= 8;
+  }
+  while (end > least && !cloud.Has(end - 1, v)) --end;
+  return end;
 }
 
 }  // namespace
@@ -38,9 +46,7 @@ PixelExtent FindExtent(const ObjectCloud& cloud) noexcept {
     extent.u_begin = std::min(extent.u_begin, first);
     extent.v_begin = std::min(extent.v_begin, v);
     extent.v_end = v + 1;
-    int last = cloud.width - 1;
-    while (last >= extent.u_end && !cloud.Has(last, v)) --last;
-    extent.u_end = std::max(extent.u_end, last + 1);
+    extent.u_end = EndInRow(cloud, extent.u_end, v);
   }
   return extent.v_end == 0 ? PixelExtent{} : extent;
 }
