@@ -31,6 +31,8 @@ void AddTrainLda(CLI::App& parent, const Console& console);
 void AddTrainLogistic(CLI::App& parent, const Console& console);
 void AddTrainSvm(CLI::App& parent, const Console& console);
 void AddEvaluate(CLI::App& parent, const Console& console);
+void AddPlan(CLI::App& parent, const Console& console);
+void AddPlanGrasp(CLI::App& parent, const Console& console);
 void AddPredict(CLI::App& parent, const Console& console);
 void AddInspect(CLI::App& parent, const Console& console);
 void AddCheckModel(CLI::App& parent, const Console& console);
@@ -44,6 +46,7 @@ void AddRobotInfo(CLI::App& parent, const Console& console);
 void AddStudy(CLI::App& parent, const Console& console);
 void AddStudyCompare(CLI::App& parent, const Console& console);
 void AddStudyList(CLI::App& parent, const Console& console);
+void AddStudyRotation(CLI::App& parent, const Console& console);
 void AddStudyRun(CLI::App& parent, const Console& console);
 
 }  // namespace handcraft::tools

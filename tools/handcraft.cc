@@ -69,6 +69,7 @@ void AddCommands(CLI::App& app, const Console& console) {
   AddTrainSvm(train, console);
   AddEvaluate(app, console);
   AddPredict(app, console);
+  AddPlan(app, console);
   AddInspect(app, console);
   AddCheckModel(app, console);
   AddRobot(app, console);

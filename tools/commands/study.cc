@@ -10,6 +10,7 @@ void AddStudy(CLI::App& parent, const Console& console) {
   study->require_subcommand(1);
   AddStudyRun(*study, console);
   AddStudyCompare(*study, console);
+  AddStudyRotation(*study, console);
   AddStudyList(*study, console);
 }
 
