@@ -45,6 +45,15 @@ std::span<const Benchmark> AllBenchmarks() {
                 .what = "every solution of a 4-degree sweep for a pose of a 7-joint Barrett WAM, "
                         "100000 poses, one core",
                 .run = &BenchmarkInverseKinematics},
+      Benchmark{.name = "rotation_layer",
+                .what = "plane, moments and the most similar of 36 views, 640x480 cloud with an "
+                        "object of some 10000 points, one core",
+                .run = &BenchmarkRotationLayer,
+                .reads_repetitions = true},
+      Benchmark{.name = "nearest_demonstration",
+                .what = "nearest of 5607 demonstrated positions, one core",
+                .run = &BenchmarkNearestDemonstration,
+                .reads_repetitions = true},
   };
   return kBenchmarks;
 }

@@ -55,5 +55,7 @@ BenchmarkResult BenchmarkTrainIrls(const BenchmarkOptions& options);
 BenchmarkResult BenchmarkPca(const BenchmarkOptions& options);
 BenchmarkResult BenchmarkSearchSpaceVga(const BenchmarkOptions& options);
 BenchmarkResult BenchmarkInverseKinematics(const BenchmarkOptions& options);
+BenchmarkResult BenchmarkRotationLayer(const BenchmarkOptions& options);
+BenchmarkResult BenchmarkNearestDemonstration(const BenchmarkOptions& options);
 
 }  // namespace handcraft::experiments
