@@ -32,6 +32,8 @@ void AddTrainLogistic(CLI::App& parent, const Console& console);
 void AddTrainObjectClass(CLI::App& parent, const Console& console);
 void AddTrainSvm(CLI::App& parent, const Console& console);
 void AddEvaluate(CLI::App& parent, const Console& console);
+void AddPlan(CLI::App& parent, const Console& console);
+void AddPlanGrasp(CLI::App& parent, const Console& console);
 void AddPredict(CLI::App& parent, const Console& console);
 void AddInspect(CLI::App& parent, const Console& console);
 void AddCheckModel(CLI::App& parent, const Console& console);

@@ -70,6 +70,7 @@ void AddCommands(CLI::App& app, const Console& console) {
   AddTrainSvm(train, console);
   AddEvaluate(app, console);
   AddPredict(app, console);
+  AddPlan(app, console);
   AddInspect(app, console);
   AddCheckModel(app, console);
   AddExport(app, console);

@@ -55,6 +55,15 @@ std::span<const Benchmark> AllBenchmarks() {
                         "pairs over 216 support vectors, one core",
                 .run = &BenchmarkClassifyCloud,
                 .reads_repetitions = true},
+      Benchmark{.name = "rotation_layer",
+                .what = "plane, moments and the most similar of 36 views, 640x480 cloud with an "
+                        "object of some 10000 points, one core",
+                .run = &BenchmarkRotationLayer,
+                .reads_repetitions = true},
+      Benchmark{.name = "nearest_demonstration",
+                .what = "nearest of 5607 demonstrated positions, one core",
+                .run = &BenchmarkNearestDemonstration,
+                .reads_repetitions = true},
   };
   return kBenchmarks;
 }

@@ -57,5 +57,7 @@ BenchmarkResult BenchmarkSearchSpaceVga(const BenchmarkOptions& options);
 BenchmarkResult BenchmarkInverseKinematics(const BenchmarkOptions& options);
 BenchmarkResult BenchmarkSvmLeaveOneOut(const BenchmarkOptions& options);
 BenchmarkResult BenchmarkClassifyCloud(const BenchmarkOptions& options);
+BenchmarkResult BenchmarkRotationLayer(const BenchmarkOptions& options);
+BenchmarkResult BenchmarkNearestDemonstration(const BenchmarkOptions& options);
 
 }  // namespace handcraft::experiments

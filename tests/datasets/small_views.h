@@ -41,7 +41,7 @@ inline LoadedView SmallView(double angle_deg, double x_m, int narrowing) {
 }
 
 /// Writes a view set of two classes ("board", "wedge") at these angles, with three poses shown for
-/// each view.
+/// each view, approach axis forwards and down.
 inline void WriteSmallSet(const std::filesystem::path& root,
                           const std::vector<double>& angles_deg,
                           double x_m = 0.3) {
@@ -71,7 +71,7 @@ inline void WriteSmallSet(const std::filesystem::path& root,
                                .view = item.image,
                                .angle_deg = angle_deg,
                                .pose = {.position_m = {x_m, 0.02 * i, 0.05 + 0.01 * i},
-                                        .rotation = Eigen::Quaterniond(1, 0, 0, 0)}});
+                                        .rotation = Eigen::Quaterniond(0.8, 0.0, 0.6, 0.0)}});
       }
     }
   }

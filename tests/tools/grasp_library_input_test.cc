@@ -37,7 +37,7 @@ TEST(GraspLibraryInput, DescribesViewsAndPoses) {
   EXPECT_NEAR(set.poses[3].angle_rad, std::numbers::pi / 3.0, 1e-15);
   EXPECT_NEAR(set.poses[3].mean_m[0], 0.5, 0.03);  // of the place where it was shown
   EXPECT_EQ(set.poses[4].position_m[1], 0.02);
-  EXPECT_EQ(set.poses[4].rotation, (features::Quaternion{0, 0, 0, 1}));
+  EXPECT_EQ(set.poses[4].rotation, (features::Quaternion{0, 0.6, 0, 0.8}));
 }
 
 TEST(GraspLibraryInput, RefusesWhatDoesNotFit) {

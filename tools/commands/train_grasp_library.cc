@@ -20,6 +20,7 @@
 #include "tools/grasp_library_input.h"
 #include "tools/number_option.h"
 #include "tools/progress_bar.h"
+#include "tools/rotation_options.h"
 #include "tools/text_table.h"
 
 namespace handcraft::tools {
@@ -33,11 +34,18 @@ struct TrainGraspLibraryOptions {
   std::string robot;
   std::string out;
   std::string name = "grasp_library";
-  std::string moments = "all";
-  grasp_library::Options trainer = {};
+  RotationArguments rotation = {};
+  double max_distance_m = 0.0;
   int num_threads = 1;
   bool json = false;
 };
+
+grasp_library::Options TrainerOptions(const TrainGraspLibraryOptions& options) {
+  return {.compared_moments = RuleOf(options.rotation).moments,
+          .num_candidates = options.rotation.num_candidates,
+          .angle_weight = options.rotation.angle_weight,
+          .rejection_distance_m = options.max_distance_m};
+}
 
 // What a class of the library holds.
 struct ClassCounts {
@@ -95,7 +103,7 @@ std::vector<std::uint8_t> ModelBytes(const TrainGraspLibraryOptions& options,
        .data_fingerprint = Sha256Hex(std::span(
            reinterpret_cast<const std::uint8_t*>(fingerprints.data()), fingerprints.size())),
        .class_counts = class_counts,
-       .hyper_parameters = FieldsToText(options.trainer)}));
+       .hyper_parameters = FieldsToText(TrainerOptions(options))}));
 }
 
 void PrintResult(const TrainGraspLibraryOptions& options,
@@ -136,17 +144,11 @@ void RunTrainGraspLibrary(const TrainGraspLibraryOptions& options, const Console
     ProgressBar bar(console);
     set = DescribeInput(input, options.num_threads, bar.Callback());
   }
-  grasp_library::Options trainer = options.trainer;
-  trainer.compared_moments =
-      static_cast<features::ComparedMoments>(options.moments == "printed"      ? 0
-                                             : options.moments == "scale_free" ? 1
-                                                                               : 2);
-  TrainGraspLibraryOptions told = options;
-  told.trainer = trainer;
+  const grasp_library::Options trainer = TrainerOptions(options);
   const features::GraspLibrary library = grasp_library::TrainGraspLibrary(set, trainer);
   const model_io::GraspLibraryNames names = NamesOf(options, set);
   if (!options.out.empty()) {
-    WriteFileAtomically(options.out, ModelBytes(told, input, names, library));
+    WriteFileAtomically(options.out, ModelBytes(options, input, names, library));
   }
   PrintResult(options, Count(library, set.classes), console);
 }
@@ -165,22 +167,10 @@ void AddTrainGraspLibrary(CLI::App& parent, const Console& console) {
   command->add_option("--out", options->out, "Model file to write");
   command->add_option("--name", options->name, "Name of the model")->capture_default_str();
   command->add_option("--robot", options->robot, "Robot file of the arm that showed the poses");
-  command->add_option("--moments", options->moments, "What tells like planes apart")
-      ->check(CLI::IsMember({"printed", "scale_free", "all"}))
-      ->capture_default_str();
-  AddNumber(*command,
-            "--candidates",
-            options->trainer.num_candidates,
-            TakenBy(&grasp_library::Options::num_candidates),
-            "Views nearest by plane that are compared; 0: all; the dissertation's are 6");
-  AddNumber(*command,
-            "--angle-weight",
-            options->trainer.angle_weight,
-            TakenBy(&grasp_library::Options::angle_weight),
-            "Weight of the angle between planes beside the moments [1/rad]");
+  AddRotationOptions(*command, options->rotation);
   AddNumber(*command,
             "--max-distance-m",
-            options->trainer.rejection_distance_m,
+            options->max_distance_m,
             TakenBy(&grasp_library::Options::rejection_distance_m),
             "Reject points farther from every demonstration; 0: never");
   AddThreadsOption(*command, options->num_threads);

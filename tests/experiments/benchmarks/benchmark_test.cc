@@ -24,7 +24,9 @@ TEST(AllBenchmarks, HaveNamesOfTheirOwn) {
                            "load_model",
                            "train_irls_154188x500",
                            "pca_154188x500",
-                           "inverse_kinematics"}) {
+                           "inverse_kinematics",
+                           "rotation_layer",
+                           "nearest_demonstration"}) {
     EXPECT_TRUE(names.contains(name)) << name;
   }
 }

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "datasets/formats/organised_cloud.h"
+#include "experiments/evaluation/loaded_model.h"
+#include "experiments/grasp_planning/grasp_plan_options.h"
+#include "lib/core/image.h"
+#include "lib/features/grasp_search.h"
+#include "lib/perception/cloud_view.h"
+#include "lib/robot/inverse_kinematics.h"
+
+namespace handcraft::experiments {
+
+/// What the robot sees: a picture, its cloud and which pixels are the object (not 0).
+struct GraspScene {
+  Image image;
+  datasets::OrganisedCloud cloud;
+  Image object_mask;
+};
+
+/// The pixels of what stands on the table, by search-space reduction: no table, all measured
+/// pixels. Throws Error(kNoResult) when none is left.
+[[nodiscard]] Image MaskAboveTable(const datasets::OrganisedCloud& cloud);
+
+/// Layer 1: the class of the object that a cloud shows.
+using ObjectClassifier = std::function<std::string(const features::ObjectCloud&)>;
+
+/// A layer and what it took, by the steady clock.
+struct PlanStage {
+  std::string_view name;
+  double time_ms = 0.0;
+};
+
+struct GraspPlan {
+  int u_px = 0;  ///< of p_g
+  int v_px = 0;
+  std::optional<double> probability = {};  ///< of the grasp point; none: it was told
+  features::Vector3 point_m = {};          ///< p_g
+  std::string object_class = {};
+  features::FoundGrasp grasp = {};
+  std::optional<double> rejection_distance_m = {};  ///< of the library
+  robot::Pose base_from_grasp = {};                 ///< the hand's grasp centre
+  robot::Pose base_from_tip = {};                   ///< the arm's tip
+  robot::InverseKinematicsResult kinematics = {};
+  std::vector<PlanStage> stages = {};
+
+  /// The nearest demonstration is farther than the library allows.
+  [[nodiscard]] bool IsRejected() const noexcept {
+    return rejection_distance_m && !(grasp.distance_m <= *rejection_distance_m);
+  }
+};
+
+/// Grasp planning, layer after layer (dissertation, chapter 4): p_g, the class, the turn about z,
+/// the nearest demonstration, joint values. Models and arm are loaded once.
+class GraspPlanner {
+ public:
+  /// Throws Error: options that break their rules, files that cannot be loaded, a model of another
+  /// kind, a class that the library does not know, a library whose robot or joints are not the
+  /// arm's.
+  explicit GraspPlanner(const GraspPlanOptions& options);
+
+  /// Another layer 1 than the class that the options tell.
+  void SetClassifier(ObjectClassifier classifier) { classifier_ = std::move(classifier); }
+
+  /// Plans for what is seen. Rejected and unreachable grasps are results. Throws
+  /// Error(kBadInput) for pictures, clouds and masks of different sizes, a grasp point outside the
+  /// picture and a cloud that no plane fits; Error(kNoResult) when there is no measured point to
+  /// grasp at.
+  [[nodiscard]] GraspPlan Plan(const GraspScene& scene);
+
+  [[nodiscard]] const robot::SerialChain& chain() const noexcept { return solver_->chain(); }
+  [[nodiscard]] std::string_view Method() const noexcept { return solver_->Method(); }
+
+ private:
+  void RequireSameArm(const std::string& robot_name) const;
+  [[nodiscard]] std::size_t ClassNumber(const std::string& name) const;
+  void FindPoint(const GraspScene& scene, GraspPlan& plan) const;
+  void TakeBestPixel(const GraspScene& scene, GraspPlan& plan) const;
+
+  GraspPlanOptions options_;
+  LoadedModel library_;
+  LoadedModel grasp_points_;
+  ObjectClassifier classifier_;
+  std::unique_ptr<robot::InverseKinematics> solver_;
+  robot::Pose tip_from_grasp_;
+  std::vector<float> scratch_;
+};
+
+}  // namespace handcraft::experiments

@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/grasp_planning/grasp_planner.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lib/core/error.h"
+#include "lib/core/file.h"
+#include "lib/model_io/grasp_library_models.h"
+#include "tests/datasets/small_views.h"
+#include "tests/lib/runtime/some_models.h"
+#include "tests/support/expect_throws_message.h"
+#include "tests/support/temporary_directory.h"
+
+namespace handcraft::experiments {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+const std::string kRobots = HANDCRAFT_SOURCE_DIR "/models/robots/";
+const std::string kArm = kRobots + "dual_wam/right_arm.toml";
+const std::string kLeftArm = kRobots + "dual_wam/left_arm.toml";
+
+// A board seen every 30° of half a turn, one pose shown for it unturned: forwards and down, 2 cm above p_m.
+features::GraspLibrary OneGrasp() {
+  features::GraspLibrary library;
+  for (int i = 0; i < 6; ++i) {
+    const double angle_rad = i * std::numbers::pi / 6.0;
+    library.view_angles_rad.push_back(angle_rad);
+    library.view_normals.insert(library.view_normals.end(),
+                                {-std::sin(angle_rad), std::cos(angle_rad), 0.0});
+    library.view_moments.insert(library.view_moments.end(), features::kNumMoments, 0.1);
+  }
+  library.view_begins = {0, 6};
+  library.moment_scales.assign(features::kNumMoments, 1e6);
+  library.angle_begins = {0, 1};
+  library.pose_begins = {0};
+  features::testing::AddShownAngle(library, 0.0, {{0.0, 0.0, 0.02}}, {{0.0, 0.8, 0.0, 0.6}});
+  library.rejection_distance_m = 0.2;
+  return library;
+}
+
+class GraspPlannerTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    WriteLibrary({.classes = {"board"}, .robot = "dual_wam", .joints = RightJoints()});
+    options_.grasp_library = folder_ / "library.safetensors";
+    options_.robot = kArm;
+    options_.object_class = "board";
+    options_.grasp_pixel = {8, 6};
+    const datasets::LoadedView view = datasets::testing::SmallView(0.0, 0.0, 0);
+    scene_ = {.image = view.image, .cloud = *view.cloud, .object_mask = view.object_mask};
+  }
+
+  static std::vector<std::string> RightJoints() {
+    std::vector<std::string> names;
+    for (int i = 1; i <= 7; ++i) names.push_back("right_j" + std::to_string(i));
+    return names;
+  }
+  void WriteLibrary(const model_io::GraspLibraryNames& names) const {
+    WriteFileAtomically(
+        folder_ / "library.safetensors",
+        model_io::Serialise(model_io::MakeGraspLibraryModel(OneGrasp(), names, {})));
+  }
+  [[nodiscard]] GraspPlan Plan() const { return GraspPlanner(options_).Plan(scene_); }
+
+  testing::TemporaryDirectory folder_;
+  GraspPlanOptions options_;
+  GraspScene scene_;
+};
+
+TEST_F(GraspPlannerTest, BringsTheHandAndNotTheFlangeToThePoint) {
+  GraspPlanner planner(options_);
+  const GraspPlan plan = planner.Plan(scene_);
+  EXPECT_EQ(plan.u_px, 8);
+  EXPECT_EQ(plan.v_px, 6);
+  EXPECT_EQ(plan.object_class, "board");
+  EXPECT_EQ(plan.grasp.object_angle_rad, 0.0);
+  ASSERT_TRUE(plan.kinematics.IsSolved());
+  const robot::Pose tip = robot::ForwardKinematics(planner.chain(), plan.kinematics.Solution(0));
+  const robot::Vector3 hand = robot::Apply(tip, {0.0, 0.0, 0.175});
+  for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(hand[axis], plan.point_m[axis], 1e-8);
+  // The approach axis of the demonstration, (0.96, 0, −0.28), as the board is not turned.
+  const robot::Vector3 approach = robot::Column(tip.rotation, 2);
+  EXPECT_NEAR(approach[0], 0.96, 1e-8);
+  EXPECT_NEAR(approach[2], -0.28, 1e-8);
+}
+
+TEST_F(GraspPlannerTest, TellsTheTimeOfEachLayer) {
+  const GraspPlan plan = Plan();
+  std::vector<std::string_view> names;
+  for (const PlanStage& stage : plan.stages) {
+    names.push_back(stage.name);
+    EXPECT_GE(stage.time_ms, 0.0);
+  }
+  EXPECT_EQ(names,
+            (std::vector<std::string_view>{"grasp point",
+                                           "object class",
+                                           "object rotation",
+                                           "nearest demonstration",
+                                           "inverse kinematics"}));
+}
+
+TEST_F(GraspPlannerTest, TurnsTheHandWithTheObject) {
+  const datasets::LoadedView turned = datasets::testing::SmallView(30.0, 0.0, 0);
+  scene_.cloud = *turned.cloud;
+  const GraspPlan plan = Plan();
+  EXPECT_NEAR(plan.grasp.object_angle_rad, std::numbers::pi / 6.0, 1e-12);
+  EXPECT_NEAR(plan.grasp.turn_rad, -std::numbers::pi / 6.0, 1e-12);
+  const robot::Vector3 approach = robot::Column(plan.base_from_grasp.rotation, 2);
+  EXPECT_NEAR(std::atan2(approach[1], approach[0]), std::numbers::pi / 6.0, 1e-9);
+}
+
+TEST_F(GraspPlannerTest, MayPutTheHandWhereItWasShown) {
+  options_.position = GraspPosition::kDemonstration;
+  const GraspPlan plan = Plan();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    EXPECT_EQ(plan.base_from_grasp.translation_m[axis], plan.grasp.position_m[axis]);
+  }
+  EXPECT_GT(std::fabs(plan.grasp.position_m[2] - plan.point_m[2]), 1e-3);
+}
+
+TEST_F(GraspPlannerTest, AClickBesideTheObjectTakesTheNearestMeasuredPixel) {
+  options_.grasp_pixel = {0, 6};
+  const GraspPlan plan = Plan();
+  EXPECT_EQ(plan.u_px, 2);
+  EXPECT_EQ(plan.v_px, 6);
+}
+
+TEST_F(GraspPlannerTest, AModelMayFindThePoint) {
+  WriteFileAtomically(folder_ / "points.safetensors",
+                      model_io::Serialise(testing::SomeGraspPointModel("edges54")));
+  options_.grasp_pixel.reset();
+  options_.grasp_point_model = folder_ / "points.safetensors";
+  const GraspPlan plan = Plan();
+  EXPECT_NE(scene_.object_mask.At(plan.u_px, plan.v_px), 0);
+  EXPECT_TRUE(plan.probability.has_value());
+}
+
+TEST_F(GraspPlannerTest, AClassifierMaySayTheClass) {
+  GraspPlanner planner(options_);
+  planner.SetClassifier([](const features::ObjectCloud& cloud) {
+    return cloud.width == 16 ? std::string("teapot") : std::string("board");
+  });
+  EXPECT_THROWS_MESSAGE(
+      planner.Plan(scene_), Error, HasSubstr("the grasp library knows no class 'teapot'"));
+}
+
+TEST_F(GraspPlannerTest, RefusesAnArmThatDidNotShowTheGrasps) {
+  options_.robot = kLeftArm;
+  EXPECT_THROWS_MESSAGE(GraspPlanner{options_},
+                        Error,
+                        AllOf(HasSubstr("left_j1"),
+                              HasSubstr("the grasps were shown by joints right_j1"),
+                              HasSubstr("any_arm")));
+  options_.robot = kRobots + "franka_panda/panda.toml";
+  EXPECT_THROWS_MESSAGE(
+      GraspPlanner{options_}, Error, HasSubstr("the grasps were shown by robot dual_wam"));
+  options_.robot = kLeftArm;
+  options_.any_arm = true;
+  EXPECT_NO_THROW(GraspPlanner{options_});
+}
+
+TEST_F(GraspPlannerTest, RefusesWhatItDoesNotKnow) {
+  options_.object_class = "teapot";
+  EXPECT_THROWS_MESSAGE(
+      GraspPlanner{options_}, Error, AllOf(HasSubstr("'teapot'"), HasSubstr("there are: board")));
+  options_.object_class = "board";
+  options_.grasp_library = HANDCRAFT_SOURCE_DIR "/tests/data/models/v1_svm.safetensors";
+  EXPECT_THROWS_MESSAGE(
+      GraspPlanner{options_}, Error, HasSubstr("a model of kind svm; grasp_library is due"));
+}
+
+TEST_F(GraspPlannerTest, RefusesACloudOfTwoPoints) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (int v = 0; v < 12; ++v) {
+    for (int u = 0; u < 16; ++u) {
+      if (v == 6 && (u == 8 || u == 9)) continue;
+      scene_.cloud.points[static_cast<std::size_t>(16 * v + u)] = {nan, nan, nan};
+    }
+  }
+  EXPECT_THROWS_MESSAGE(
+      Plan(), Error, HasSubstr("the object's cloud has fewer than three measured points"));
+  scene_.cloud.points.assign(16 * 12, Eigen::Vector3f(nan, nan, nan));
+  EXPECT_THROWS_MESSAGE(Plan(), Error, HasSubstr("no point of the object was measured within"));
+}
+
+TEST_F(GraspPlannerTest, RefusesScenesThatDoNotFit) {
+  options_.grasp_pixel = {16, 0};
+  EXPECT_THROWS_MESSAGE(Plan(), Error, HasSubstr("16,0 is outside the picture of 16 × 12"));
+  scene_.image = Image(8, 8, 3);
+  EXPECT_THROWS_MESSAGE(Plan(), Error, HasSubstr("the picture has 8 × 8 pixels"));
+}
+
+TEST_F(GraspPlannerTest, SaysHowFarAnUnreachableGraspIs) {
+  const datasets::LoadedView far = datasets::testing::SmallView(0.0, 3.0, 0);
+  scene_.cloud = *far.cloud;
+  const GraspPlan plan = Plan();
+  EXPECT_FALSE(plan.kinematics.IsSolved());
+  EXPECT_GT(plan.kinematics.best.error.position_m, 1.0);
+}
+
+TEST_F(GraspPlannerTest, RefusesReferencesOutsideTheLimits) {
+  options_.reference_joints = {9, 0, 0, 0, 0, 0, 0};
+  EXPECT_THROWS_MESSAGE(GraspPlanner{options_}, Error, HasSubstr("right_j1"));
+}
+
+TEST(MaskAboveTable, KeepsWhatStandsOnTheTable) {
+  datasets::OrganisedCloud cloud;
+  cloud.width = 80;
+  cloud.height = 60;
+  for (int v = 0; v < 60; ++v) {
+    for (int u = 0; u < 80; ++u) {
+      const bool is_object = u >= 30 && u < 50 && v >= 20 && v < 40;
+      cloud.points.emplace_back(0.01F * static_cast<float>(u),
+                                0.01F * static_cast<float>(v),
+                                is_object ? 0.1F + 0.001F * static_cast<float>(u % 7) : 0.0F);
+    }
+  }
+  const Image mask = MaskAboveTable(cloud);
+  EXPECT_EQ(mask.At(40, 30), 255);
+  EXPECT_EQ(mask.At(10, 30), 0);
+  cloud.points.assign(cloud.points.size(), Eigen::Vector3f::Constant(NAN));
+  EXPECT_THROWS_MESSAGE(MaskAboveTable(cloud), Error, HasSubstr("nothing stands on the table"));
+}
+
+}  // namespace
+}  // namespace handcraft::experiments

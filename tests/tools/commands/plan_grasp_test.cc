@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "lib/core/file.h"
+#include "lib/perception/image_io.h"
+#include "tests/datasets/small_views.h"
+#include "tests/support/temporary_directory.h"
+#include "tests/tools/support/generated_data.h"
+#include "tests/tools/support/run.h"
+
+namespace handcraft::tools {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using testing::NumEntries;
+using testing::Outcome;
+using testing::RunLine;
+
+const std::string kArm = HANDCRAFT_SOURCE_DIR "/models/robots/dual_wam/right_arm.toml";
+
+class PlanGrasp : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    datasets::testing::WriteSmallSet(set_, {0.0, 30.0}, 0.0);
+    ASSERT_EQ(RunLine("train grasp-library --threads 1 --views " + set_.string() +
+                      " --demonstrations " + set_.string() + " --robot " + kArm +
+                      " --max-distance-m 0.2 --out " + (folder_ / "library.safetensors").string())
+                  .code,
+              0);
+    WriteFileAtomically(folder_ / "plan.toml",
+                        "[grasp_point]\npixel = [8, 5]\n[object_class]\nname = \"board\"\n"
+                        "[grasp_library]\nmodel = \"library.safetensors\"\n[robot]\nfile = \"" +
+                            kArm + "\"\n");
+  }
+
+  [[nodiscard]] Outcome Plan(const std::string& options) const {
+    return RunLine("plan grasp --config " + (folder_ / "plan.toml").string() + " --image " +
+                   (set_ / "images/board0.png").string() + " --cloud " +
+                   (set_ / "clouds/board0.pcd").string() + " --mask " +
+                   (set_ / "masks/board0.png").string() + " " + options);
+  }
+
+  handcraft::testing::TemporaryDirectory folder_;
+  std::filesystem::path set_ = folder_ / "set";
+};
+
+TEST_F(PlanGrasp, PrintsJointsAndTheTimeOfEachLayer) {
+  const Outcome outcome = Plan("");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("board turned by 0 degrees"),
+                    HasSubstr("right_j7"),
+                    HasSubstr("nearest demonstration"),
+                    HasSubstr("inverse kinematics")));
+}
+
+TEST_F(PlanGrasp, TellsMachinesAll) {
+  const Outcome outcome = Plan("--json --class wedge --grasp-point 7,5 --neighbours 2");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["class"], "wedge");
+  EXPECT_EQ(json["grasp_point"]["u_px"], 7);
+  EXPECT_EQ(json["joints"].size(), 7U);
+  EXPECT_EQ(json["stages"].size(), 5U);
+  EXPECT_TRUE(json["solved"].get<bool>());
+  EXPECT_FALSE(json["rejected"].get<bool>());
+}
+
+TEST_F(PlanGrasp, RefusesWrongUseAndUnknownClasses) {
+  EXPECT_EQ(Plan("--grasp-point 7").code, 2);
+  EXPECT_EQ(Plan("--neighbours 33").code, 2);
+  const Outcome unknown = Plan("--class teapot");
+  EXPECT_EQ(unknown.code, 3);
+  EXPECT_THAT(unknown.err, HasSubstr("there are: board, wedge"));
+  const Outcome twice = Plan("--grasp-point 7,5 --grasp-points m.safetensors");
+  EXPECT_EQ(twice.code, 2);
+  EXPECT_THAT(twice.err, HasSubstr("told twice"));
+}
+
+TEST_F(PlanGrasp, RefusesAGraspThatIsFarFromEveryDemonstration) {
+  ASSERT_EQ(RunLine("train grasp-library --threads 1 --views " + set_.string() +
+                    " --demonstrations " + set_.string() + " --max-distance-m 0.0001 --out " +
+                    (folder_ / "library.safetensors").string())
+                .code,
+            0);
+  const Outcome outcome = Plan("");
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("the library allows 0.0001 m"));
+}
+
+TEST_F(PlanGrasp, SaysThatTheArmDoesNotReach) {
+  datasets::OrganisedCloud cloud = datasets::ReadPcd(set_ / "clouds/board0.pcd");
+  for (Eigen::Vector3f& point : cloud.points) point.x() += 4.0F;
+  datasets::WritePcd(set_ / "clouds/board0.pcd", cloud);
+  const Outcome outcome = Plan("--json");
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("the best attempt is off by"));
+  EXPECT_FALSE(nlohmann::json::parse(outcome.out)["solved"].get<bool>());
+}
+
+// A pinhole camera at the origin of the base frame sees a slanted plane.
+TEST_F(PlanGrasp, DrawsTheHand) {
+  datasets::OrganisedCloud cloud;
+  cloud.width = 64;
+  cloud.height = 48;
+  // Looks along base x: camera z is base x, camera x is base −y, camera y is base −z.
+  cloud.base_from_camera.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  cloud.base_from_camera.translation() = Eigen::Vector3f(-0.5F, 0.0F, 0.3F);
+  Image mask(64, 48);
+  for (int v = 0; v < 48; ++v) {
+    for (int u = 0; u < 64; ++u) {
+      const float depth_m = 0.5F + 0.002F * static_cast<float>(u);
+      cloud.points.emplace_back(cloud.base_from_camera *
+                                Eigen::Vector3f(depth_m * static_cast<float>(u - 32) / 60.0F,
+                                                depth_m * static_cast<float>(v - 24) / 60.0F,
+                                                depth_m));
+      if (u > 20 && u < 44 && v > 14 && v < 34) mask.At(u, v) = 255;
+    }
+  }
+  datasets::WritePcd(set_ / "clouds/board0.pcd", cloud);
+  const Image picture(64, 48, 3, 100);
+  perception::WritePng(set_ / "images/board0.png", picture);
+  perception::WritePng(set_ / "masks/board0.png", mask);
+  const Outcome outcome =
+      Plan("--grasp-point 32,24 --out " + (folder_ / "out").string() + " --json");
+  EXPECT_EQ(NumEntries(folder_ / "out"), 2U) << outcome.err;
+  const Image overlay = perception::ReadImage(folder_ / "out" / "overlay.png");
+  EXPECT_EQ(overlay.width(), 64);
+  EXPECT_NE(overlay.values(), picture.values());
+  EXPECT_EQ(nlohmann::json::parse(ReadTextFile(folder_ / "out" / "plan.json"))["class"], "board");
+}
+
+}  // namespace
+}  // namespace handcraft::tools
