@@ -77,6 +77,11 @@ datasets::MaskedCloud ReadObject(const std::string& path,
 
 }  // namespace
 
+void RefuseCloudOption(const std::string& option) {
+  throw Error({.kind = Error::Kind::kUsage,
+               .reason = option + " is for models of object classes, and this model is none"});
+}
+
 void EvaluateClouds(const hc_model* model,
                     const EvaluateCloudsOptions& options,
                     const Console& console) {

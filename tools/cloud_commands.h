@@ -14,6 +14,9 @@
 
 namespace handcraft::tools {
 
+/// Throws Error(kUsage): the option was given, and the model is not of object classes.
+[[noreturn]] void RefuseCloudOption(const std::string& option);
+
 /// What `handcraft evaluate` is told when the model is of object classes.
 struct EvaluateCloudsOptions {
   std::string model;

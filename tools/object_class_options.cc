@@ -25,6 +25,7 @@ void AddNamed(CLI::App& command,
               const std::vector<T>& choices,
               const std::string& description) {
   std::vector<std::string> words;
+  words.reserve(choices.size());
   for (const T choice : choices) words.emplace_back(features::NameOf(choice));
   command
       .add_option_function<std::string>(

@@ -48,10 +48,12 @@ datasets::MaskedCloud DrawObject(int number, int view, const ObjectClassBenchmar
   object.cloud.points.assign(std::size_t{kWidth_px} * kHeight_px,
                              Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
   const int half = size.object_px / 2;
-  for (int v = kHeight_px / 2 - half; v < kHeight_px / 2 + half; ++v) {
-    for (int u = kWidth_px / 2 - half; u < kWidth_px / 2 + half; ++u) {
-      const double y = 0.12 * (u - kWidth_px / 2) / size.object_px;
-      const double z = -0.12 * (v - kHeight_px / 2) / size.object_px;
+  constexpr int kMiddleU = kWidth_px / 2;
+  constexpr int kMiddleV = kHeight_px / 2;
+  for (int v = kMiddleV - half; v < kMiddleV + half; ++v) {
+    for (int u = kMiddleU - half; u < kMiddleU + half; ++u) {
+      const double y = 0.12 * (u - kMiddleU) / size.object_px;
+      const double z = -0.12 * (v - kMiddleV) / size.object_px;
       const double depth =
           0.6 + shape.bend * y * y + shape.slope * z + 0.3 * turn * y + 0.004 * rng.Normal();
       object.mask.At(u, v) = 255;

@@ -123,6 +123,19 @@ TEST_F(CloudCommands, PredictRefusesOtherClouds) {
   EXPECT_THAT(other.err, HasSubstr("the mask"));
 }
 
+TEST_F(CloudCommands, OptionsForCloudsAreRefusedByOtherModels) {
+  WriteFileAtomically(folder_ / "rows.safetensors",
+                      model_io::Serialise(handcraft::testing::SomeSvmModel()));
+  WriteFileAtomically(folder_ / "t.csv", "length_m,width_m,object\n1,2,mug\n");
+  const std::string rest = Path("rows.safetensors") + " " + Path("t.csv");
+  for (const std::string& line :
+       {"evaluate " + rest + " --counts-as a=mug", "predict " + rest + " --object-mask m.png"}) {
+    const Outcome outcome = RunLine(line);
+    EXPECT_EQ(outcome.code, 2) << line;
+    EXPECT_THAT(outcome.err, HasSubstr("is for models of object classes"));
+  }
+}
+
 TEST(CloudTable, ShowsRejectedOnes) {
   const Json predictions = {{{"cloud", "a.pcd"}, {"class", nullptr}, {"margin", 0.5}}};
   EXPECT_THAT(CloudTable(predictions), AllOf(HasSubstr("none of them"), HasSubstr("0.5000")));

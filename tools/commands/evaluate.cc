@@ -275,7 +275,9 @@ void RunEvaluate(const EvaluateOptions& options, const Console& console) {
                  .reason = "--json and --html name the same file"});
   }
   const experiments::LoadedModel model = experiments::LoadModel(options.model);
-  EvaluatorOf(hc_model_kind(model.get()))(model.get(), options, console);
+  const hc_kind kind = hc_model_kind(model.get());
+  if (!options.counts_as.empty() && kind != HC_KIND_OBJECT_CLASS) RefuseCloudOption("--counts-as");
+  EvaluatorOf(kind)(model.get(), options, console);
 }
 
 void AddMeasureOptions(CLI::App& command, experiments::EvaluationOptions& evaluation) {

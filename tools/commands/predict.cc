@@ -304,8 +304,9 @@ void PredictObjectClasses(const hc_model* model,
 
 // Options that fit each other and the model.
 void Validate(const PredictOptions& options, hc_kind kind) {
-  if (kind == HC_KIND_GRASP_POINT) return RequireSearchFits(options.search, options.inputs.size());
   if (kind == HC_KIND_OBJECT_CLASS) return;
+  if (!options.object_mask.empty()) RefuseCloudOption("--object-mask");
+  if (kind == HC_KIND_GRASP_POINT) return RequireSearchFits(options.search, options.inputs.size());
   RefusePictureOptions(options.picture_options);
   if (options.inputs.size() > 1 && options.out.empty() && !options.json) {
     throw Error({.kind = Error::Kind::kUsage, .reason = "several tables need --out or --json"});
