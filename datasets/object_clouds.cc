@@ -26,7 +26,7 @@ void KeepInliers(const OrganisedCloud& cloud, double step, Image& mask) {
   perception::PixelPoints points;
   points.Reset(cloud.points.size());
   for (std::size_t i = 0; i < cloud.points.size(); ++i) {
-    if (mask.values()[i] != kInside || !IsMeasured(cloud.points[i])) continue;
+    if (mask.values()[i] == 0 || !IsMeasured(cloud.points[i])) continue;
     points.Add(cloud.points[i], static_cast<std::int32_t>(i));
   }
   perception::RemoveOutliers(points, {.step = static_cast<float>(step)});

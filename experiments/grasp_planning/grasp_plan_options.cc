@@ -110,9 +110,14 @@ void GraspPlanOptions::Validate() const {
                "the grasp library",
                "give --library, or model in [grasp_library] of the plan file");
   RequireGiven(!robot.empty(), "the arm", "give --robot, or file in [robot] of the plan file");
-  RequireGiven(!object_class.empty(),
+  RequireGiven(!object_class.empty() || !object_class_model.empty(),
                "the object's class",
-               "give --class, or name in [object_class] of the plan file");
+               "give --classifier MODEL or --class NAME, or [object_class] of the plan file");
+  if (!object_class.empty() && !object_class_model.empty()) {
+    throw Error({.kind = Error::Kind::kUsage,
+                 .reason = "the object's class is told twice: by its name and by a model",
+                 .remedy = "give one of them"});
+  }
   RequireGiven(grasp_pixel.has_value() || !grasp_point_model.empty(),
                "where to grasp",
                "give --grasp-point u,v or --grasp-points MODEL, or [grasp_point] of the plan file");
@@ -143,8 +148,9 @@ GraspPlanOptions ReadGraspPlanFile(const fs::path& path) {
   ReadGraspPoint(file, folder, options);
   if (file.Has("object_class")) {
     const TomlTable table = file.Table("object_class");
-    table.AllowOnly(std::array<std::string_view, 1>{"name"});
-    options.object_class = table.Text("name");
+    table.AllowOnly(std::array<std::string_view, 2>{"name", "model"});
+    if (table.Has("name")) options.object_class = table.Text("name");
+    if (table.Has("model")) options.object_class_model = folder / table.Text("model");
   }
   ReadLibrary(file, folder, options);
   ReadRobot(file, folder, options);

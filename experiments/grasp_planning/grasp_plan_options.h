@@ -22,7 +22,9 @@ struct GraspPlanOptions {
   /// p_g: the best pixel of this grasp-point model, or the pixel (u, v) of a click.
   std::filesystem::path grasp_point_model = {};
   std::optional<std::array<int, 2>> grasp_pixel = std::nullopt;
-  std::string object_class = {};             ///< layer 1, as told
+  /// Layer 1: a model of kind object_class, or the class as told.
+  std::filesystem::path object_class_model = {};
+  std::string object_class = {};
   std::filesystem::path grasp_library = {};  ///< layers 2 and 3
   int num_neighbours = 1;                    ///< demonstrations averaged; 1 to 32
   GraspPosition position = GraspPosition::kGraspPoint;
@@ -45,7 +47,7 @@ struct GraspPlanOptions {
 ///     [grasp_point]
 ///     model = "grasp_points.safetensors"     # or: pixel = [320, 240]
 ///     [object_class]
-///     name = "mug"
+///     model = "object_class.safetensors"     # or: name = "mug"
 ///     [grasp_library]
 ///     model = "grasp_library.safetensors"
 ///     neighbours = 1                         # optional

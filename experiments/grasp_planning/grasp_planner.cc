@@ -70,10 +70,11 @@ void RequireSizes(const GraspScene& scene) {
 
 features::ObjectCloud CloudOf(const GraspScene& scene) {
   return {.points = scene.cloud.points.data()->data(),
-          .stride = std::ptrdiff_t{3} * scene.cloud.width,
-          .mask = {scene.object_mask.values().data(), scene.object_mask.width()},
           .width = scene.cloud.width,
-          .height = scene.cloud.height};
+          .height = scene.cloud.height,
+          .row_stride = std::ptrdiff_t{3} * scene.cloud.width,
+          .mask = scene.object_mask.Row(0),
+          .mask_stride = scene.object_mask.width()};
 }
 
 void SetPoint(const GraspScene& scene, int u_px, int v_px, GraspPlan& plan) {
@@ -145,8 +146,7 @@ GraspPlanner::GraspPlanner(const GraspPlanOptions& options) : options_(options) 
   if (!options.grasp_point_model.empty()) {
     grasp_points_ = LoadKind(options.grasp_point_model, HC_KIND_GRASP_POINT);
   }
-  static_cast<void>(ClassNumber(options.object_class));
-  classifier_ = [name = options.object_class](const features::ObjectCloud&) { return name; };
+  LoadClasses();
   const robot::RobotArm arm = robot::ReadRobotFile(options.robot);
   solver_ = robot::MakeInverseKinematics(arm.chain);
   if (!options.any_arm) RequireSameArm(arm.robot);
@@ -154,6 +154,35 @@ GraspPlanner::GraspPlanner(const GraspPlanOptions& options) : options_(options) 
     arm.chain.RequireWithinLimits(options.reference_joints);
   }
   tip_from_grasp_ = PoseOf(options.grasp_centre_m, options.grasp_centre_xyzw);
+}
+
+void GraspPlanner::LoadClasses() {
+  if (options_.object_class_model.empty()) {
+    static_cast<void>(ClassNumber(options_.object_class));
+    return;
+  }
+  classes_ = LoadKind(options_.object_class_model, HC_KIND_OBJECT_CLASS);
+  for (std::size_t i = 0; i < hc_model_num_classes(classes_.get()); ++i) {
+    static_cast<void>(ClassNumber(hc_model_class_name(classes_.get(), i)));
+  }
+  cloud_options_ = ReadCloudOptions(options_.object_class_model);
+  classifier_.emplace(classes_.get());
+}
+
+std::string GraspPlanner::ClassOf(const GraspScene& scene) {
+  if (!classifier_) return options_.object_class;
+  const CloudClass found = classifier_->Classify(
+      datasets::TakeObjectCloud(scene.cloud, scene.object_mask, cloud_options_));
+  if (found.has_points && !found.is_rejected) {
+    return hc_model_class_name(classes_.get(), found.number);
+  }
+  throw Error({.kind = Error::Kind::kNoResult,
+               .reason = found.has_points
+                             ? "the object is none of the classes that the model knows"
+                             : fmt::format("fewer than {} points of the object were measured",
+                                           features::kMinObjectPoints),
+               .remedy = found.has_points ? "tell its class with --class, or train it"
+                                          : "look at it from elsewhere"});
 }
 
 void GraspPlanner::RequireSameArm(const std::string& robot_name) const {
@@ -223,7 +252,7 @@ GraspPlan GraspPlanner::Plan(const GraspScene& scene) {
   StageClock clock(plan.stages);
   FindPoint(scene, plan);
   clock.Done("grasp point");
-  plan.object_class = classifier_(cloud);
+  plan.object_class = ClassOf(scene);
   const features::ShownClass shown = library.library.Class(ClassNumber(plan.object_class));
   clock.Done("object class");
   features::ViewDescription view;

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +12,8 @@
 #include <vector>
 
 #include "datasets/formats/organised_cloud.h"
+#include "datasets/object_clouds.h"
+#include "experiments/evaluation/cloud_evaluation.h"
 #include "experiments/evaluation/loaded_model.h"
 #include "experiments/grasp_planning/grasp_plan_options.h"
 #include "lib/core/image.h"
@@ -32,9 +33,6 @@ struct GraspScene {
 /// The pixels of what stands on the table, by search-space reduction: no table, all measured
 /// pixels. Throws Error(kNoResult) when none is left.
 [[nodiscard]] Image MaskAboveTable(const datasets::OrganisedCloud& cloud);
-
-/// Layer 1: the class of the object that a cloud shows.
-using ObjectClassifier = std::function<std::string(const features::ObjectCloud&)>;
 
 /// A layer and what it took, by the steady clock.
 struct PlanStage {
@@ -66,32 +64,33 @@ struct GraspPlan {
 class GraspPlanner {
  public:
   /// Throws Error: options that break their rules, files that cannot be loaded, a model of another
-  /// kind, a class that the library does not know, a library whose robot or joints are not the
-  /// arm's.
+  /// kind, a class (of the classifier any) that the library does not know, a library whose robot or
+  /// joints are not the arm's.
   explicit GraspPlanner(const GraspPlanOptions& options);
-
-  /// Another layer 1 than the class that the options tell.
-  void SetClassifier(ObjectClassifier classifier) { classifier_ = std::move(classifier); }
 
   /// Plans for what is seen. Rejected and unreachable grasps are results. Throws
   /// Error(kBadInput) for pictures, clouds and masks of different sizes, a grasp point outside the
   /// picture and a cloud that no plane fits; Error(kNoResult) when there is no measured point to
-  /// grasp at.
+  /// grasp at, and for an object that is none of the classes.
   [[nodiscard]] GraspPlan Plan(const GraspScene& scene);
 
   [[nodiscard]] const robot::SerialChain& chain() const noexcept { return solver_->chain(); }
   [[nodiscard]] std::string_view Method() const noexcept { return solver_->Method(); }
 
  private:
+  void LoadClasses();
   void RequireSameArm(const std::string& robot_name) const;
   [[nodiscard]] std::size_t ClassNumber(const std::string& name) const;
+  [[nodiscard]] std::string ClassOf(const GraspScene& scene);
   void FindPoint(const GraspScene& scene, GraspPlan& plan) const;
   void TakeBestPixel(const GraspScene& scene, GraspPlan& plan) const;
 
   GraspPlanOptions options_;
   LoadedModel library_;
   LoadedModel grasp_points_;
-  ObjectClassifier classifier_;
+  LoadedModel classes_;  ///< none: the class is told
+  datasets::ObjectCloudOptions cloud_options_ = {};
+  std::optional<CloudClassifier> classifier_ = {};
   std::unique_ptr<robot::InverseKinematics> solver_;
   robot::Pose tip_from_grasp_;
   std::vector<float> scratch_;

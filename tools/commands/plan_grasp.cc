@@ -43,6 +43,7 @@ struct PlanGraspOptions {
   std::string cloud;
   std::string mask;
   std::string object_class;
+  std::string classifier;
   std::string library;
   std::string grasp_points;
   std::vector<double> grasp_pixel;
@@ -56,7 +57,10 @@ struct PlanGraspOptions {
 GraspPlanOptions Merge(const PlanGraspOptions& given) {
   GraspPlanOptions options;
   if (!given.config.empty()) options = experiments::ReadGraspPlanFile(given.config);
-  if (!given.object_class.empty()) options.object_class = given.object_class;
+  if (!given.object_class.empty() || !given.classifier.empty()) {
+    options.object_class = given.object_class;
+    options.object_class_model = given.classifier;
+  }
   if (!given.library.empty()) options.grasp_library = given.library;
   if (!given.robot.empty()) options.robot = given.robot;
   if (given.num_neighbours > 0) options.num_neighbours = given.num_neighbours;
@@ -201,7 +205,8 @@ void AddPlanGrasp(CLI::App& parent, const Console& console) {
   command->add_option("--cloud", options->cloud, "Its organised cloud (.pcd)")->required();
   command->add_option("--mask", options->mask, "Object mask; else what stands on the table");
   command->add_option("--config", options->config, "Plan file (TOML) that names the components");
-  command->add_option("--class", options->object_class, "Class of the object");
+  command->add_option("--classifier", options->classifier, "Model that tells the object's class");
+  command->add_option("--class", options->object_class, "Class of the object, as told");
   command->add_option("--library", options->library, "Grasp library");
   AddNumberList(*command, "--grasp-point", options->grasp_pixel, "Where to grasp: column,row [px]");
   command->add_option("--grasp-points", options->grasp_points, "Model that finds where to grasp");

@@ -13,6 +13,7 @@
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 #include "lib/model_io/grasp_library_models.h"
+#include "lib/model_io/object_class_models.h"
 #include "tests/datasets/small_views.h"
 #include "tests/lib/runtime/some_models.h"
 #include "tests/support/expect_throws_message.h"
@@ -28,21 +29,24 @@ const std::string kRobots = HANDCRAFT_SOURCE_DIR "/models/robots/";
 const std::string kArm = kRobots + "dual_wam/right_arm.toml";
 const std::string kLeftArm = kRobots + "dual_wam/left_arm.toml";
 
-// A board seen every 30° of half a turn, one pose shown for it unturned: forwards and down, 2 cm above p_m.
-features::GraspLibrary OneGrasp() {
+// A board seen every 30° of half a turn, one pose shown for it unturned: forwards and down, 2 cm
+// above p_m. So for each of several classes.
+features::GraspLibrary OneGrasp(int num_classes = 1) {
   features::GraspLibrary library;
-  for (int i = 0; i < 6; ++i) {
-    const double angle_rad = i * std::numbers::pi / 6.0;
-    library.view_angles_rad.push_back(angle_rad);
-    library.view_normals.insert(library.view_normals.end(),
-                                {-std::sin(angle_rad), std::cos(angle_rad), 0.0});
-    library.view_moments.insert(library.view_moments.end(), features::kNumMoments, 0.1);
+  library.view_begins = library.angle_begins = library.pose_begins = {0};
+  for (int c = 1; c <= num_classes; ++c) {
+    for (int i = 0; i < 6; ++i) {
+      const double angle_rad = i * std::numbers::pi / 6.0;
+      library.view_angles_rad.push_back(angle_rad);
+      library.view_normals.insert(library.view_normals.end(),
+                                  {-std::sin(angle_rad), std::cos(angle_rad), 0.0});
+      library.view_moments.insert(library.view_moments.end(), features::kNumMoments, 0.1);
+    }
+    library.view_begins.push_back(6 * c);
+    library.moment_scales.insert(library.moment_scales.end(), features::kNumMoments, 1e6);
+    library.angle_begins.push_back(c);
+    features::testing::AddShownAngle(library, 0.0, {{0.0, 0.0, 0.02}}, {{0.0, 0.8, 0.0, 0.6}});
   }
-  library.view_begins = {0, 6};
-  library.moment_scales.assign(features::kNumMoments, 1e6);
-  library.angle_begins = {0, 1};
-  library.pose_begins = {0};
-  features::testing::AddShownAngle(library, 0.0, {{0.0, 0.0, 0.02}}, {{0.0, 0.8, 0.0, 0.6}});
   library.rejection_distance_m = 0.2;
   return library;
 }
@@ -65,9 +69,9 @@ class GraspPlannerTest : public ::testing::Test {
     return names;
   }
   void WriteLibrary(const model_io::GraspLibraryNames& names) const {
-    WriteFileAtomically(
-        folder_ / "library.safetensors",
-        model_io::Serialise(model_io::MakeGraspLibraryModel(OneGrasp(), names, {})));
+    WriteFileAtomically(folder_ / "library.safetensors",
+                        model_io::Serialise(model_io::MakeGraspLibraryModel(
+                            OneGrasp(static_cast<int>(names.classes.size())), names, {})));
   }
   [[nodiscard]] GraspPlan Plan() const { return GraspPlanner(options_).Plan(scene_); }
 
@@ -144,13 +148,29 @@ TEST_F(GraspPlannerTest, AModelMayFindThePoint) {
   EXPECT_TRUE(plan.probability.has_value());
 }
 
-TEST_F(GraspPlannerTest, AClassifierMaySayTheClass) {
-  GraspPlanner planner(options_);
-  planner.SetClassifier([](const features::ObjectCloud& cloud) {
-    return cloud.width == 16 ? std::string("teapot") : std::string("board");
-  });
+TEST_F(GraspPlannerTest, AModelMaySayTheClass) {
+  model_io::ObjectClassModel model = testing::SomeObjectClasses();
+  model.outlier_step = 0.0;
+  model.classes = {"board", "mug", "can"};
+  const datasets::MaskedCloud example =
+      datasets::TakeObjectCloud(scene_.cloud, scene_.object_mask, {.outlier_step = 0.0});
+  WriteFileAtomically(
+      folder_ / "classes.safetensors",
+      model_io::Serialise(model_io::MakeObjectClassModel(model, example.View(), {})));
+  options_.object_class_model = folder_ / "classes.safetensors";
+  EXPECT_THROWS_MESSAGE(GraspPlanner{options_}, Error, HasSubstr("told twice"));
+  options_.object_class.clear();
   EXPECT_THROWS_MESSAGE(
-      planner.Plan(scene_), Error, HasSubstr("the grasp library knows no class 'teapot'"));
+      GraspPlanner{options_}, Error, HasSubstr("the grasp library knows no class 'mug'"));
+  WriteLibrary({.classes = model.classes, .robot = "dual_wam", .joints = RightJoints()});
+  const LoadedModel loaded = LoadModel(folder_ / "classes.safetensors");
+  CloudClassifier classifier(loaded.get());
+  EXPECT_EQ(Plan().object_class, model.classes[classifier.Classify(example).number]);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (std::size_t i = 0; i < scene_.cloud.points.size(); ++i) {
+    if (i != 6 * 16 + 8) scene_.cloud.points[i] = {nan, nan, nan};
+  }
+  EXPECT_THROWS_MESSAGE(Plan(), Error, HasSubstr("fewer than 3 points of the object"));
 }
 
 TEST_F(GraspPlannerTest, RefusesAnArmThatDidNotShowTheGrasps) {
