@@ -3,9 +3,7 @@
 
 #include "lib/features/object_cloud.h"
 
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "lib/features/mask_pixels.h"
@@ -75,11 +73,12 @@ Spread SpreadOf(const Points& points, const Box& box) noexcept {
       const double x = double{points.x[at]} - x0;
       const double y = double{points.y[at]} - y0;
       const double z = double{points.z[at]} - z0;
-      const bool counts =
-          i + lane < points.size && (std::fabs(x - box.centre_m[0]) <= box.reach_m[0]) &
-                                        (std::fabs(y - box.centre_m[1]) <= box.reach_m[1]) &
-                                        (std::fabs(z - box.centre_m[2]) <= box.reach_m[2]);
-      const double w = counts ? 1.0 : 0.0;
+      const auto is_within = [&box](double value, std::size_t axis) {
+        return static_cast<int>(std::fabs(value - box.centre_m[axis]) <= box.reach_m[axis]);
+      };
+      const int counts = static_cast<int>(i + lane < points.size) & is_within(x, 0) &
+                         is_within(y, 1) & is_within(z, 2);  // without a branch
+      const double w = counts;
       sums[0][lane] += w;
       sums[1][lane] += w * x;
       sums[2][lane] += w * y;
