@@ -3,7 +3,6 @@
 
 #include "lib/features/object_plane.h"
 
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -70,11 +69,11 @@ Spread SpreadOf(const Points& points, const Box& box) noexcept {
       const double x = double{points.x[at]} - x0;
       const double y = double{points.y[at]} - y0;
       const double z = double{points.z[at]} - z0;
-      const bool counts =
-          i + lane < points.size && (std::fabs(x - box.centre_m[0]) <= box.reach_m[0]) &
-                                        (std::fabs(y - box.centre_m[1]) <= box.reach_m[1]) &
-                                        (std::fabs(z - box.centre_m[2]) <= box.reach_m[2]);
-      const double w = counts ? 1.0 : 0.0;
+      const auto within = [&box](double value, std::size_t axis) {
+        return std::fabs(value - box.centre_m[axis]) <= box.reach_m[axis] ? 1.0 : 0.0;
+      };
+      const double w =  // without a branch
+          (i + lane < points.size ? 1.0 : 0.0) * within(x, 0) * within(y, 1) * within(z, 2);
       sums[0][lane] += w;
       sums[1][lane] += w * x;
       sums[2][lane] += w * y;
