@@ -44,10 +44,11 @@ struct Object {
   }
   [[nodiscard]] features::ObjectCloud View() const {
     return {.points = points.data(),
-            .stride = std::ptrdiff_t{3} * kWidth,
-            .mask = {mask.data(), kWidth},
             .width = kWidth,
-            .height = kHeight};
+            .height = kHeight,
+            .row_stride = std::ptrdiff_t{3} * kWidth,
+            .mask = mask.data(),
+            .mask_stride = kWidth};
   }
 };
 

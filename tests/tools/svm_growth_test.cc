@@ -82,7 +82,7 @@ TEST(GrowingSvm, RefusesAClassThatIsThereAndOtherModels) {
   ASSERT_EQ(RunLine("train logistic " + kBreast + " --label class --out " + model).code, 0);
   EXPECT_THROWS_MESSAGE(static_cast<void>(ReadGrowingSvm({.new_class = "x", .model = model})),
                         Error,
-                        HasSubstr("not a support vector machine"));
+                        HasSubstr("not of kind svm"));
   EXPECT_THROW(static_cast<void>(ReadGrowingSvm({.new_class = "x", .model = "missing"})), Error);
 }
 

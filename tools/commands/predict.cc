@@ -12,8 +12,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "datasets/formats/csv_records.h"
-#include "experiments/evaluation/class_evaluation.h"
 #include "experiments/evaluation/grasp_point_evaluation.h"
 #include "experiments/evaluation/json_text.h"
 #include "experiments/evaluation/loaded_model.h"
@@ -31,6 +29,7 @@
 #include "tools/output_folder.h"
 #include "tools/progress_bar.h"
 #include "tools/search_input.h"
+#include "tools/table_prediction.h"
 #include "tools/text_table.h"
 
 namespace handcraft::tools {
@@ -210,45 +209,6 @@ void PredictImages(const hc_model* model,
   }
 }
 
-std::string ProbabilitiesCsv(const experiments::TableModel& model,
-                             const std::vector<double>& probabilities) {
-  std::string text = datasets::CsvField("probability of " + model.positive_label) + "\n";
-  for (const double probability : probabilities) text += NumberToText(probability) + "\n";
-  return text;
-}
-
-// What a model says about a table.
-struct TablePrediction {
-  Json json;
-  std::string csv;
-};
-
-TablePrediction PredictProbabilities(const hc_model* model,
-                                     const experiments::TableModel& names,
-                                     const datasets::Table& table) {
-  const std::vector<double> probabilities = experiments::PredictTable(model, table);
-  return {.json = {{"positive_label", names.positive_label}, {"probabilities", probabilities}},
-          .csv = ProbabilitiesCsv(names, probabilities)};
-}
-
-// A rejected row has no class: an empty field, null.
-TablePrediction PredictClasses(const hc_model* model,
-                               const experiments::TableModel& names,
-                               const datasets::Table& table) {
-  TablePrediction prediction{.json = {{"classes", Json::array()}, {"margins", Json::array()}},
-                             .csv = "class,margin\n"};
-  for (const experiments::RowClass& row : experiments::ClassifyTable(model, table)) {
-    const Json name = row.is_rejected ? Json() : Json(names.classes[row.number]);
-    prediction.json["classes"].push_back(name);
-    prediction.json["margins"].push_back(row.margin);
-    if (!row.is_rejected) prediction.csv += datasets::CsvField(names.classes[row.number]);
-    prediction.csv += ',';
-    prediction.csv += NumberToText(row.margin);
-    prediction.csv += '\n';
-  }
-  return prediction;
-}
-
 const char* EndingOf(hc_kind kind) {
   if (kind == HC_KIND_OBJECT_CLASS) return kObjectEnding;
   return kind == HC_KIND_SVM ? kClassesEnding : kTableEnding;
@@ -260,12 +220,11 @@ void PredictTables(const hc_model* model,
                    OutputFolder* folder) {
   const experiments::TableModel table_model = experiments::ReadTableModel(options.model);
   const hc_kind kind = hc_model_kind(model);
-  const auto predict = kind == HC_KIND_SVM ? PredictClasses : PredictProbabilities;
   Json predictions = Json::array();
   std::string text;
   for (const std::string& input : options.inputs) {
     const auto [json, csv] =
-        predict(model, table_model, experiments::ReadTableFor(table_model, input));
+        PredictTable(model, table_model, experiments::ReadTableFor(table_model, input));
     predictions.push_back({{"table", input}});
     predictions.back().update(json);
     if (folder != nullptr) {

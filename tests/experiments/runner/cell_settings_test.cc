@@ -67,7 +67,7 @@ TEST(ApplySetting, NamesKeyValueAndRule) {
         Applied({{"training_scales", scales}}), Error, HasSubstr("such as 1+0.5+1.5"));
   }
   EXPECT_THROWS_MESSAGE(Applied({{"window", "4"}}), Error, HasSubstr("1, 3 or 5"));
-  EXPECT_THROWS_MESSAGE(Applied({{"energy", "cube"}}), Error, HasSubstr("square, abs or log"));
+  EXPECT_THROWS_MESSAGE(Applied({{"energy", "cube"}}), Error, HasSubstr("square, abs, log"));
   EXPECT_THROWS_MESSAGE(Applied({{"classifier", "svm"}}), Error, HasSubstr("logistic or lda"));
   EXPECT_THROWS_MESSAGE(Applied({{"region", "table"}}), Error, HasSubstr("picture or object"));
   EXPECT_THROWS_MESSAGE(Applied({{"features", "few"}}), Error, HasSubstr("few"));

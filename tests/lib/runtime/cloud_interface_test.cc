@@ -71,7 +71,7 @@ TEST_F(ClassifyCloud, OfTwoPointsEmptyOrNotMeasuredIsAStatus) {
   cloud.mask_stride = 2;
   EXPECT_EQ(Classify(cloud), HC_ERROR_CLOUD);
   EXPECT_STREQ(hc_status_message(HC_ERROR_CLOUD),
-               "Fewer than three points of the object were measured.");
+               "The object's cloud has too few points, or no plane that fits it best; look again.");
   const std::uint8_t none[] = {0, 0, 0, 0};
   cloud.mask = none;
   EXPECT_EQ(Classify(cloud), HC_ERROR_CLOUD);

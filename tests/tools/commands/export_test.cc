@@ -42,7 +42,7 @@ TEST(Export, RefusesOtherModelsAndFormats) {
   ASSERT_EQ(RunLine("train logistic " + kBreast + " --label class --out " + model).code, 0);
   const Outcome logistic = RunLine("export " + model + " --to libsvm" + out);
   EXPECT_EQ(logistic.code, 3);
-  EXPECT_THAT(logistic.err, HasSubstr("not a support vector machine"));
+  EXPECT_THAT(logistic.err, HasSubstr("not of kind svm"));
   EXPECT_EQ(RunLine("export " + model + " --to onnx" + out).code, 2);
   EXPECT_EQ(RunLine("export " + model + " --to libsvm --out " + model).code, 2);
   ASSERT_EQ(RunLine("train svm " + kBreast + " --label class --standardize --out " + model).code,
