@@ -3,6 +3,7 @@
 
 #include "datasets/object_clouds.h"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "datasets/parallel_reporting.h"
 #include "lib/core/error.h"
 #include "lib/core/option_rules.h"
+#include "lib/features/mask_pixels.h"
 #include "lib/perception/cloud_outliers.h"
 
 namespace handcraft::datasets {
@@ -52,6 +54,32 @@ features::ObjectCloud MaskedCloud::View() const noexcept {
           .point_stride = 3,
           .mask = mask.Row(0),
           .mask_stride = mask.width()};
+}
+
+MaskedCloud CropToMask(const OrganisedCloud& cloud, const Image& mask) {
+  int u_begin = mask.width();
+  int u_end = 0;
+  int v_begin = mask.height();
+  int v_end = 0;
+  features::ForEachMaskRun(
+      {mask.Row(0), mask.width()}, mask.width(), mask.height(), [&](int v, int first, int last) {
+        u_begin = std::min(u_begin, first);
+        u_end = std::max(u_end, last);
+        v_begin = std::min(v_begin, v);
+        v_end = v + 1;
+      });
+  MaskedCloud cropped{.cloud = {}, .mask = {}};
+  cropped.cloud.base_from_camera = cloud.base_from_camera;
+  if (v_end == 0) return cropped;
+  cropped.cloud.width = u_end - u_begin;
+  cropped.cloud.height = v_end - v_begin;
+  cropped.mask = Image(cropped.cloud.width, cropped.cloud.height);
+  for (int v = v_begin; v < v_end; ++v) {
+    const auto row = cloud.points.begin() + std::ptrdiff_t{v} * cloud.width;
+    cropped.cloud.points.insert(cropped.cloud.points.end(), row + u_begin, row + u_end);
+    std::copy_n(mask.Row(v) + u_begin, cropped.cloud.width, cropped.mask.Row(v - v_begin));
+  }
+  return cropped;
 }
 
 MaskedCloud ReadObjectCloud(const ViewSet& set,

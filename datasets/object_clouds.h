@@ -44,6 +44,10 @@ struct MaskedCloud {
   [[nodiscard]] features::ObjectCloud View() const noexcept;
 };
 
+/// The smallest box of a cloud that holds all pixels of a mask of its size (not 0), with the mask
+/// there: as good as the whole to descriptors, and less to go through. Empty with an empty mask.
+[[nodiscard]] MaskedCloud CropToMask(const OrganisedCloud& cloud, const Image& mask);
+
 /// The object of a view: the points under its object mask without outliers (dissertation, section
 /// 3.2.2), in the wanted frame. Throws Error when a file cannot be read, the mask is of another
 /// size, or the view has no cloud.

@@ -171,8 +171,9 @@ void GraspPlanner::LoadClasses() {
 
 std::string GraspPlanner::ClassOf(const GraspScene& scene) {
   if (!classifier_) return options_.object_class;
+  datasets::MaskedCloud object = datasets::CropToMask(scene.cloud, scene.object_mask);
   const CloudClass found = classifier_->Classify(
-      datasets::TakeObjectCloud(scene.cloud, scene.object_mask, cloud_options_));
+      datasets::TakeObjectCloud(std::move(object.cloud), std::move(object.mask), cloud_options_));
   if (found.has_points && !found.is_rejected) {
     return hc_model_class_name(classes_.get(), found.number);
   }

@@ -187,6 +187,7 @@ void KeepMethods(std::span<const std::string> names,
                  const std::string& study,
                  std::vector<Method>& methods) {
   std::vector<std::string> known;
+  known.reserve(methods.size());
   for (const Method& method : methods) known.push_back(method.name);
   for (const std::string& name : names) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;

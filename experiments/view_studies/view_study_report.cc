@@ -23,43 +23,62 @@ std::string ShareText(const Estimate& share) {
   return PercentText(share.value) + " " + PercentIntervalText(share);
 }
 
+// The groups of all cells, rows of the answers first, each once.
+std::vector<std::string> GroupNames(const ViewStudyRun& run) {
+  std::vector<std::string> names;
+  std::vector<std::string> sums;
+  for (const ViewCellResult& result : run.results) {
+    for (std::size_t g = 0; g < result.groups.size(); ++g) {
+      std::vector<std::string>& list = g < result.answers.rows.size() ? names : sums;
+      const std::string& name = result.groups[g].name;
+      if (std::find(list.begin(), list.end(), name) == list.end()) list.push_back(name);
+    }
+  }
+  names.insert(names.end(), sums.begin(), sums.end());
+  return names;
+}
+
+// Null when the cell has no such group.
+const GroupShare* FindGroup(const ViewCellResult& result, const std::string& name) {
+  const auto found = std::find_if(result.groups.begin(),
+                                  result.groups.end(),
+                                  [&](const GroupShare& group) { return group.name == name; });
+  return found == result.groups.end() ? nullptr : &*found;
+}
+
 // A row a group, a column a cell.
 ReportTable SharesTable(const ViewStudyRun& run) {
-  ReportTable table{.head = {"group", "views"}};
+  ReportTable table{.head = {"right of"}};
   for (const ViewCellResult& result : run.results) table.head.push_back(result.id);
-  for (std::size_t g = 0; g < run.results.front().groups.size(); ++g) {
-    const GroupShare& first = run.results.front().groups[g];
-    std::vector<std::string> row = {first.name, std::to_string(first.num_views)};
+  for (const std::string& name : GroupNames(run)) {
+    std::vector<std::string> row = {name};
     for (const ViewCellResult& result : run.results) {
-      const auto same =
-          std::find_if(result.groups.begin(), result.groups.end(), [&](const GroupShare& group) {
-            return group.name == first.name;
-          });
-      row.push_back(same == result.groups.end() ? "–" : ShareText(same->share));
+      const GroupShare* const group = FindGroup(result, name);
+      row.push_back(group == nullptr
+                        ? "–"
+                        : fmt::format("{} of {}", ShareText(group->share), group->num_views));
     }
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
-// Only the groups of all cells can stand in one table; of others each cell has its own.
 std::vector<std::string> Verdicts(const ViewStudyRun& run) {
   std::vector<std::string> verdicts;
   for (const auto& [name, percent] : run.study.claims) {
     for (const ViewCellResult& result : run.results) {
-      for (const GroupShare& group : result.groups) {
-        if (group.name != name) continue;
-        const double share = 100.0 * group.share.value;
-        verdicts.push_back(fmt::format("{}, {}: {:.2f} % {} of {} views; {} has {:.2f} %{}",
-                                       result.id,
-                                       name,
-                                       share,
-                                       PercentIntervalText(group.share),
-                                       group.num_views,
-                                       run.study.claim_source,
-                                       percent,
-                                       share >= percent ? ": reached" : ": not reached"));
-      }
+      const GroupShare* const group = FindGroup(result, name);
+      if (group == nullptr) continue;
+      const double share = 100.0 * group->share.value;
+      verdicts.push_back(fmt::format("{}, {}: {:.2f} % {} of {} views; {} has {:.2f} %{}",
+                                     result.id,
+                                     name,
+                                     share,
+                                     PercentIntervalText(group->share),
+                                     group->num_views,
+                                     run.study.claim_source,
+                                     percent,
+                                     share >= percent ? ": reached" : ": not reached"));
     }
   }
   return verdicts;
@@ -79,14 +98,13 @@ ReportTable TimesTable(const ViewStudyRun& run) {
 
 BarFigure SharesFigure(const ViewStudyRun& run) {
   BarFigure figure{.title = run.study.title, .y_label = "right [%]", .groups = {}, .series = {}};
-  for (const GroupShare& group : run.results.front().groups) figure.groups.push_back(group.name);
+  figure.groups = GroupNames(run);
   for (const ViewCellResult& result : run.results) {
     BarFigure::Series series{.name = result.id, .bars = {}};
     for (const std::string& name : figure.groups) {
       Estimate bar{std::nan(""), std::nan(""), std::nan("")};
-      for (const GroupShare& group : result.groups) {
-        if (group.name != name) continue;
-        bar = {100.0 * group.share.value, 100.0 * group.share.low, 100.0 * group.share.high};
+      if (const GroupShare* const group = FindGroup(result, name)) {
+        bar = {100.0 * group->share.value, 100.0 * group->share.low, 100.0 * group->share.high};
       }
       series.bars.push_back(bar);
     }
@@ -98,7 +116,11 @@ BarFigure SharesFigure(const ViewStudyRun& run) {
 // Figure 4.7: how often each difference was found, all objects of a cell together.
 BarFigure HistogramFigure(const ViewStudyRun& run) {
   BarFigure figure{.title = run.study.title, .y_label = "views", .groups = {}, .series = {}};
-  figure.groups = run.results.front().answers.columns;
+  constexpr std::size_t kNamedBins = 3;  // all names would lie over each other
+  const std::vector<std::string>& bins = run.results.front().answers.columns;
+  for (std::size_t bin = 0; bin < bins.size(); ++bin) {
+    figure.groups.push_back(bin % kNamedBins == 0 ? bins[bin] : "");
+  }
   for (const ViewCellResult& result : run.results) {
     BarFigure::Series series{.name = result.id, .bars = {}};
     for (std::size_t column = 0; column < figure.groups.size(); ++column) {
@@ -121,10 +143,11 @@ std::string HeaderText(const ViewStudyRun& run) {
   if (!run.study.question.empty()) {
     text += fmt::format("<p class=\"lead\">{}</p>\n", EscapeHtml(run.study.question));
   }
+  text += "<ul>\n";
   for (const std::string& verdict : Verdicts(run)) {
-    text += fmt::format("<p>{}</p>\n", EscapeHtml(verdict));
+    text += fmt::format("<li>{}</li>\n", EscapeHtml(verdict));
   }
-  return text + "</header>\n";
+  return text + "</ul>\n</header>\n";
 }
 
 std::string AnswersText(const ViewStudyRun& run) {

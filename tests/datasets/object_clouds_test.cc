@@ -180,5 +180,23 @@ TEST_F(MeasuredMug, UnitFeaturesAreInvariantToScaleAndMetricOnesAreNot) {
             1e-4 * Length(Describe(object, unit)));
 }
 
+TEST(CropToMask, KeepsWhatTheMaskHolds) {
+  OrganisedCloud cloud;
+  cloud.width = 12;
+  cloud.height = 5;
+  for (int i = 0; i < 60; ++i) cloud.points.emplace_back(static_cast<float>(i), 0.0F, 1.0F);
+  Image mask(12, 5);
+  mask.At(9, 1) = 255;
+  mask.At(3, 2) = 255;
+  const MaskedCloud cropped = CropToMask(cloud, mask);
+  ASSERT_EQ(cropped.cloud.width, 7);
+  ASSERT_EQ(cropped.cloud.height, 2);
+  EXPECT_EQ(cropped.cloud.At(6, 0).x(), 21.0F);
+  EXPECT_EQ(cropped.cloud.At(0, 1).x(), 27.0F);
+  EXPECT_EQ(cropped.mask.At(6, 0), 255);
+  EXPECT_EQ(cropped.mask.At(0, 0), 0);
+  EXPECT_TRUE(CropToMask(cloud, Image(12, 5)).cloud.points.empty());
+}
+
 }  // namespace
 }  // namespace handcraft::datasets
