@@ -24,8 +24,8 @@ struct MarkedPoint {
                                     std::span<const MarkedPoint> points);
 
 /// The picture with a label mask over it: good (255) green, don't care (128) blue, bad (0)
-/// untouched. Around what is good runs a line, white and beyond it black, each a 256th of the longer
-/// side wide; pictures shorter than 128 pixels have none.
+/// untouched. Around what is good runs a line, white and beyond it black, each a 256th of the
+/// longer side wide; pictures shorter than 128 pixels have none.
 [[nodiscard]] Image DrawLabelMask(const Image& image, const Image& mask);
 
 /// The picture with the pixels of a region (not 0 in the mask) tinted blue.
