@@ -75,7 +75,8 @@ void FindAGrasp(const hc_model* model) {
   std::uint8_t mask[kSide * kSide];
   for (std::size_t i = 0; i < sizeof mask; ++i) {
     points[3 * i] = 0.01F * static_cast<float>(i % kSide);
-    points[3 * i + 1] = 0.01F * static_cast<float>(i / kSide);
+    const std::size_t row = i / kSide;
+    points[3 * i + 1] = 0.01F * static_cast<float>(row);
     points[3 * i + 2] = 0.001F * static_cast<float>(i * i % 7);
     mask[i] = 1;
   }

@@ -97,10 +97,12 @@ TEST(GoldenModels, OfFormat1FindGraspsAsTheyDid) {
   hc_workspace* workspace = nullptr;
   ASSERT_EQ(hc_workspace_create(model, 4, 3, &workspace), HC_OK);
   std::vector<float> points;
-  for (int i = 0; i < 12; ++i) {
-    points.push_back(0.01F * static_cast<float>(i % 4));
-    points.push_back(0.02F * static_cast<float>(i % 4));
-    points.push_back(0.01F * static_cast<float>(i / 4));
+  for (int v = 0; v < 3; ++v) {
+    for (int u = 0; u < 4; ++u) {
+      points.push_back(0.01F * static_cast<float>(u));
+      points.push_back(0.02F * static_cast<float>(u));
+      points.push_back(0.01F * static_cast<float>(v));
+    }
   }
   const std::vector<std::uint8_t> mask(12, 1);
   const hc_cloud cloud{points.data(), 4, 3, 12, 3, mask.data(), 4};

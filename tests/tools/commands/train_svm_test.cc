@@ -106,8 +106,8 @@ TEST(TrainSvm, SetsTheThresholdOfNoneOfTheseByHeldOutAndNovelRows) {
   std::string novel = "y,x\n";
   for (int i = 0; i < 12; ++i) {
     const std::string off = std::to_string(0.01 * i);
-    known += "0," + off + ",a\n10," + off + ",b\n";
-    novel += off + "," + std::to_string(4.5 + 0.1 * i) + "\n";
+    known.append("0,").append(off).append(",a\n10,").append(off).append(",b\n");
+    novel.append(off).append(",").append(std::to_string(4.5 + 0.1 * i)).append("\n");
   }
   WriteFileAtomically(folder / "known.csv", known);
   WriteFileAtomically(folder / "novel.csv", novel);
@@ -152,8 +152,9 @@ TEST(TrainSvm, AddsAClassAndLeavesTheOthersAsTheyAre) {
   std::string new_rows;
   for (int i = 0; i < 9; ++i) {
     const std::string off = std::to_string(0.1 * i);
-    old_rows += "0," + off + ",mug\n1," + off + ",can\n" + off + ",2,box\n";
-    new_rows += off + ",-1,cup\n";
+    old_rows.append("0,").append(off).append(",mug\n1,").append(off).append(",can\n");
+    old_rows.append(off).append(",2,box\n");
+    new_rows.append(off).append(",-1,cup\n");
   }
   WriteFileAtomically(folder / "old.csv", old_rows);
   WriteFileAtomically(folder / "all.csv", old_rows + new_rows);
