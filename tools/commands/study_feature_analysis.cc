@@ -78,13 +78,18 @@ FeatureAnalysis Analyse(const StudyOptions& options,
 }
 
 void PrintSummary(const FeatureAnalysis& analysis, const std::string& out, const Console& console) {
-  TextTable table({"hypothesis", "features", "held-out log-loss", "AUC", "above all features"});
+  TextTable table(
+      {"hypothesis", "features", "held-out log-loss", "AUC", "above all features", "keeps"});
   for (const experiments::TestedHypothesis& tested : analysis.hypotheses) {
     table.AddRow({tested.name,
                   std::to_string(tested.spec.NumFeatures()),
                   fmt::format("{:.4f}", tested.log_loss),
                   fmt::format("{:.3f}", tested.auc),
-                  fmt::format("{:+.4f}", tested.increase.value)});
+                  fmt::format("{:+.4f}", tested.increase.value),
+                  fmt::format("{}; {}×{}",
+                              experiments::KeptFiltersText(tested.spec, analysis.options.spec),
+                              tested.spec.window,
+                              tested.spec.window)});
   }
   console.out << table.ToText() << "\nReport written to " << out << '\n';
 }

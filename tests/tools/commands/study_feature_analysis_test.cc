@@ -37,6 +37,8 @@ TEST_F(StudyFeatureAnalysis, WritesAReport) {
               AllOf(HasSubstr("all features"),
                     HasSubstr("dissertation 1: edge filters"),
                     HasSubstr("usefulness: filters"),
+                    HasSubstr("laws_LL; 1×1\n"),
+                    HasSubstr("all but laws_LL; 1×1\n"),
                     HasSubstr("Report written to")));
   const auto json =
       nlohmann::json::parse(ReadTextFile((folder_ / "study" / "results.json").string()));
