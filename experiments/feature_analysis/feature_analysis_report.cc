@@ -3,11 +3,13 @@
 
 #include "experiments/feature_analysis/feature_analysis_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "experiments/evaluation/html_text.h"
@@ -169,7 +171,7 @@ ReportTable EliminationTable(const FeatureAnalysis& analysis) {
 ReportTable HypothesisTable(const FeatureAnalysis& analysis, Reader reader) {
   if (reader == Reader::kPeople) {
     ReportTable table{.head = {"hypothesis",
-                               "filters",
+                               "filters kept",
                                "window",
                                "features",
                                "held-out log-loss",
@@ -178,7 +180,7 @@ ReportTable HypothesisTable(const FeatureAnalysis& analysis, Reader reader) {
                       .rows = {}};
     for (const TestedHypothesis& tested : analysis.hypotheses) {
       table.rows.push_back({tested.name,
-                            std::to_string(tested.spec.NumFilters()),
+                            KeptFiltersText(tested.spec, analysis.options.spec),
                             fmt::format("{}×{}", tested.spec.window, tested.spec.window),
                             std::to_string(tested.spec.NumFeatures()),
                             DecimalText(tested.log_loss, 4),
@@ -268,14 +270,11 @@ std::string SetText(const FeatureAnalysis& analysis, const std::string& data_nam
 
 constexpr std::string_view kEnergyNote =
     "A filter's share of the energy (variance) of the components that hold 99 % of it. It depends "
-    "on the "
-    "units in which a filter's response is written, which say nothing about grasping.";
+    "on the units in which a filter's response is written, which say nothing about grasping.";
 constexpr std::string_view kUsefulnessNote =
     "Filters are taken away one by one, each time the one that the classifier misses least on "
-    "objects it "
-    "has not seen; the one that stays to the last is rank 1. The held-out pixels choose, so these "
-    "figures "
-    "are somewhat too good: measure what you choose on other pictures.";
+    "objects it has not seen; the one that stays to the last is rank 1. The held-out pixels "
+    "choose, so these figures are somewhat too good: measure what you choose on other pictures.";
 constexpr std::string_view kSpectrumNote =
     "Eigenvalues over the largest, and how many components hold a share of their sum.";
 constexpr std::string_view kWindowNote =
@@ -353,6 +352,19 @@ std::string HtmlReport(const FeatureAnalysis& analysis, const std::string& data_
 }
 
 }  // namespace
+
+std::string KeptFiltersText(const features::FeatureSpec& part, const features::FeatureSpec& whole) {
+  std::vector<std::string_view> kept;
+  std::vector<std::string_view> dropped;
+  for (const features::Filter filter : whole.filters) {
+    const bool stays =
+        std::find(part.filters.begin(), part.filters.end(), filter) != part.filters.end();
+    (stays ? kept : dropped).push_back(features::NameOf(filter));
+  }
+  if (dropped.empty()) return fmt::format("all {}", kept.size());
+  if (dropped.size() < kept.size()) return fmt::format("all but {}", fmt::join(dropped, ", "));
+  return fmt::format("{}", fmt::join(kept, ", "));
+}
 
 std::vector<std::string> PositionNames(const features::FeatureSpec& spec) {
   std::vector<std::string> names;

@@ -10,6 +10,7 @@
 
 #include "experiments/evaluation/html_text.h"
 #include "experiments/evaluation/pixel_cards.h"
+#include "experiments/evaluation/report_table.h"
 #include "experiments/runner/summary_markdown.h"
 
 namespace handcraft::experiments {
@@ -129,6 +130,14 @@ std::string PixelsText(const StudyRun& run, const StudySummary& summary) {
   return text;
 }
 
+std::string LdaConfusionText(const StudyRun& run, const StudySummary& summary) {
+  const ReportTable table = LdaConfusionTable(run, summary);
+  if (table.rows.empty()) return {};
+  return "<h2>Confusion matrices beside the dissertation</h2>\n<p class=\"note\">Percent of all "
+         "pixels.</p>\n" +
+         HtmlText(table);
+}
+
 std::string StageRows(const SeriesSummary& series) {
   constexpr const char* kRow =
       "<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"number\">{}</td>"
@@ -219,8 +228,8 @@ std::string MakeStudyPage(const StudyRun& run,
   return MakeHtmlPage(run.study.title,
                       HeaderText(run, summary) + ByClassText(summary) + FigureCards(figures) +
                           DifferencesText(run.study, summary) + PixelsText(run, summary) +
-                          SearchSpaceText(summary) + ExamplesText(examples) +
-                          FooterText(run, summary));
+                          LdaConfusionText(run, summary) + SearchSpaceText(summary) +
+                          ExamplesText(examples) + FooterText(run, summary));
 }
 
 }  // namespace handcraft::experiments

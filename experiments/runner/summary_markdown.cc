@@ -3,13 +3,16 @@
 
 #include "experiments/runner/summary_markdown.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "experiments/evaluation/html_text.h"
+#include "experiments/metrics/confusion_percent.h"
 
 namespace handcraft::experiments {
 namespace {
@@ -127,6 +130,24 @@ std::string SearchSpaceText(const StudySummary& summary) {
          Head({"method", "left after", "pixels", "time [ms]"}) + rows;
 }
 
+std::vector<std::string> ConfusionRow(std::string label, const ConfusionPercent& percent) {
+  std::vector<std::string> row = {std::move(label)};
+  for (const auto& side : percent) {
+    for (const double share : side) row.push_back(DecimalText(share, 2));
+  }
+  return row;
+}
+
+std::string LdaConfusionText(const StudyRun& run, const StudySummary& summary) {
+  const ReportTable table = LdaConfusionTable(run, summary);
+  if (table.rows.empty()) return {};
+  std::string text =
+      "\n## Confusion matrices beside the dissertation\n\nPercent of all pixels.\n\n" +
+      Head(table.head);
+  for (const std::vector<std::string>& row : table.rows) text += Row(row);
+  return text;
+}
+
 std::string InputsText(const StudyRun& run) {
   std::string text = fmt::format(
       "- pictures to train on: {} ({})\n", run.data.train.items.size(), run.data.train_fingerprint);
@@ -169,6 +190,26 @@ std::string VerdictText(const Study& study, const StudySummary& summary) {
       DoubtText(verdict, study.claim->worst_loss_points));
 }
 
+ReportTable LdaConfusionTable(const StudyRun& run, const StudySummary& summary) {
+  ReportTable table{.head = {"method",
+                             "bad, called bad",
+                             "bad, called good",
+                             "good, called bad",
+                             "good, called good"}};
+  const bool has_lda = std::any_of(run.cells.begin(), run.cells.end(), [](const Cell& cell) {
+    return cell.settings.classifier == Classifier::kLda;
+  });
+  if (!has_lda) return table;
+  table.rows.push_back(ConfusionRow("dissertation, discriminant analysis", kDissertationLda));
+  const double bad_share = BadShareOf(kDissertationLda);
+  for (const SeriesSummary& series : summary.series) {
+    table.rows.push_back(ConfusionRow(series.label + ", at its class ratio",
+                                      PercentAtBadShare(series.confusion, bad_share)));
+    table.rows.push_back(ConfusionRow(series.label + ", as measured", PercentOf(series.confusion)));
+  }
+  return table;
+}
+
 std::string SummaryMarkdown(const StudyRun& run, const StudySummary& summary) {
   const Study& study = run.study;
   std::string text = fmt::format("# {}\n\n", study.title);
@@ -186,7 +227,7 @@ std::string SummaryMarkdown(const StudyRun& run, const StudySummary& summary) {
   const std::string verdict = VerdictText(study, summary);
   if (!verdict.empty()) text += "\n" + verdict + "\n";
   text += "\n## Labelled pixels\n\n" + ClassifierText(run, summary);
-  text += SearchSpaceText(summary);
+  text += LdaConfusionText(run, summary) + SearchSpaceText(summary);
   if (!summary.warnings.empty()) {
     text += fmt::format("\n## Warnings\n\n- {}\n", fmt::join(summary.warnings, "\n- "));
   }

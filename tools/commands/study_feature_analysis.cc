@@ -10,14 +10,17 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "datasets/formats/labelled_image_set.h"
 #include "experiments/feature_analysis/feature_analysis.h"
 #include "experiments/feature_analysis/feature_analysis_report.h"
+#include "experiments/runner/pinned_inputs.h"
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
 #include "lib/model_io/model_writer.h"
 #include "lib/model_io/pca_models.h"
+#include "lib/runtime/handcraft_runtime.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "tools/feature_names.h"
@@ -65,7 +68,6 @@ FeatureAnalysis Analyse(const StudyOptions& options,
                         const Console& console) {
   std::vector<std::string> left_out;
   FeatureAnalysisOptions analysis = options.analysis;
-  analysis.spec = features::ParseFeatureSpec(options.features);
   analysis.left_out = [&](const std::string& image, std::string_view reason) {
     left_out.push_back(fmt::format("left out: {}, {}", image, reason));
   };
@@ -78,23 +80,45 @@ FeatureAnalysis Analyse(const StudyOptions& options,
 }
 
 void PrintSummary(const FeatureAnalysis& analysis, const std::string& out, const Console& console) {
-  TextTable table({"hypothesis", "features", "held-out log-loss", "AUC", "above all features"});
+  TextTable table(
+      {"hypothesis", "features", "held-out log-loss", "AUC", "above all features", "keeps"});
   for (const experiments::TestedHypothesis& tested : analysis.hypotheses) {
     table.AddRow({tested.name,
                   std::to_string(tested.spec.NumFeatures()),
                   fmt::format("{:.4f}", tested.log_loss),
                   fmt::format("{:.3f}", tested.auc),
-                  fmt::format("{:+.4f}", tested.increase.value)});
+                  fmt::format("{:+.4f}", tested.increase.value),
+                  fmt::format("{}; {}×{}",
+                              experiments::KeptFiltersText(tested.spec, analysis.options.spec),
+                              tested.spec.window,
+                              tested.spec.window)});
   }
   console.out << table.ToText() << "\nReport written to " << out << '\n';
 }
 
-void RunStudy(const StudyOptions& options, const Console& console) {
+// Under the names that other studies use, so that neither takes up a folder of the other.
+void PinInputs(const StudyOptions& options, const datasets::LabelledImageSet& set) {
+  std::vector<std::string> lines = {"study = feature-analysis",
+                                    "features = " + features::ToString(options.analysis.spec),
+                                    "split = " + options.split};
+  for (const auto& [name, value] : FieldsToText(options.analysis)) {
+    lines.push_back(fmt::format("{} = {}", name, value));
+  }
+  const experiments::PinnedInputs inputs(options.out);
+  inputs.Pin("version", fmt::format("{}\n", hc_version()));
+  inputs.Pin("study", fmt::format("{}\n", fmt::join(lines, "\n")));
+  inputs.Pin("data.train", datasets::Fingerprint(set) + "\n");
+}
+
+void RunStudy(StudyOptions options, const Console& console) {
+  options.analysis.spec = features::ParseFeatureSpec(options.features);
+  options.analysis.Validate();
   const datasets::LabelledImageSet set =
       datasets::ReadLabelledImageSet(options.data).Only(options.split);
   const std::string data_name =
       std::filesystem::absolute(options.data).lexically_normal().filename().string();
   const std::vector<std::filesystem::path> inputs = FilesOf(set);
+  PinInputs(options, set);
   OutputFolder folder(options.out);
   const FeatureAnalysis analysis = Analyse(options, set, console);
   const auto claim = [&](const std::string& name) {
@@ -156,7 +180,9 @@ void AddStudyFeatureAnalysis(CLI::App& parent, const Console& console) {
   command->add_option("--data", options->data, "Labelled image set: folder with manifest.csv")
       ->type_name("DIR")
       ->required();
-  command->add_option("--out", options->out, "Folder for the report; made if it is missing")
+  command
+      ->add_option(
+          "--out", options->out, "Folder for the report, a new one or that of the same analysis")
       ->type_name("DIR")
       ->required();
   command

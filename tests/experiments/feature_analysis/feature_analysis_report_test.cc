@@ -24,6 +24,16 @@ TEST(PositionNames, AreWindowPixelsThenScales) {
               ElementsAre("(0,0)", "1/3", "1/9"));
 }
 
+TEST(KeptFiltersText, NamesTheFewer) {
+  const auto whole = features::ParseFeatureSpec("filters=edges");
+  const auto text = [&whole](const std::string& filters) {
+    return KeptFiltersText(features::ParseFeatureSpec("filters=" + filters), whole);
+  };
+  EXPECT_EQ(text("edges"), "all 6");
+  EXPECT_EQ(text("edge_150+edge_0+edge_30"), "edge_0, edge_30, edge_150");
+  EXPECT_EQ(text("edge_0+edge_30+edge_60+edge_90"), "all but edge_120, edge_150");
+}
+
 TEST(FeatureAnalysisReport, HasTheseFiles) {
   EXPECT_THAT(FeatureAnalysisFiles(HandFilledAnalysis(), "mugs"),
               UnorderedElementsAre(Key("summary.md"),
@@ -71,16 +81,19 @@ TEST(FeatureAnalysisReport, WritesJson) {
 
 TEST(FeatureAnalysisReport, IsReadableAndNeedsNothingFromOutside) {
   const auto files = FeatureAnalysisFiles(HandFilledAnalysis(), "mugs & cups");
-  EXPECT_THAT(files.at("summary.md"),
-              AllOf(HasSubstr("2 features"),
-                    HasSubstr("30 pixels of 3 other objects"),
-                    HasSubstr("| energy, raw, 1: filters | 1 | 1×1 | 1 | 0.6100 | 0.700 | +0.1100 "
-                              "[+0.0200, +0.2000] |"),
-                    HasSubstr("| edge_0 | 1.00 % | 2 | 60.00 % | 1 | 1 | – |")));
+  EXPECT_THAT(
+      files.at("summary.md"),
+      AllOf(HasSubstr("2 features"),
+            HasSubstr("30 pixels of 3 other objects"),
+            HasSubstr("| energy, raw, 1: filters | laws_LL | 1×1 | 1 | 0.6100 | 0.700 | +0.1100 "
+                      "[+0.0200, +0.2000] |"),
+            HasSubstr("| all features | all 2 | 1×1 |"),
+            HasSubstr("| edge_0 | 1.00 % | 2 | 60.00 % | 1 | 1 | – |")));
   const std::string& page = files.at("report.html");
   EXPECT_THAT(page,
               AllOf(HasSubstr("mugs &amp; cups"),
                     HasSubstr("<svg"),
+                    HasSubstr(">laws_LL</td>"),
                     Not(HasSubstr("http")),
                     Not(HasSubstr("<script"))));
 }

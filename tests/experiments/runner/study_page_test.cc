@@ -45,6 +45,16 @@ TEST(MakeStudyPage, ShowsWhatSearchSpaceReductionLeaves) {
   EXPECT_THAT(Page({}), Not(HasSubstr("<h2>Search space</h2>")));
 }
 
+TEST(MakeStudyPage, ShowsConfusionBesideTheDissertationsForDiscriminantAnalysis) {
+  EXPECT_THAT(Page({}), Not(HasSubstr("beside the dissertation")));
+  StudyRun run = testing::SmallRun();
+  run.cells.front().settings.classifier = Classifier::kLda;
+  EXPECT_THAT(MakeStudyPage(run, SummariseStudy(run, 1), {}, {}),
+              AllOf(HasSubstr("<h2>Confusion matrices beside the dissertation</h2>"),
+                    HasSubstr(">54.20</td>"),
+                    HasSubstr("edge, ridge = 2, at its class ratio</th>")));
+}
+
 TEST(MakeStudyPage, LoadsNothingFromOutsideAndEscapesNames) {
   const std::string page = Page({{.image = "<p>",
                                   .object_class = "a&b",

@@ -37,6 +37,8 @@ TEST_F(StudyFeatureAnalysis, WritesAReport) {
               AllOf(HasSubstr("all features"),
                     HasSubstr("dissertation 1: edge filters"),
                     HasSubstr("usefulness: filters"),
+                    HasSubstr("laws_LL; 1×1\n"),
+                    HasSubstr("all but laws_LL; 1×1\n"),
                     HasSubstr("Report written to")));
   const auto json =
       nlohmann::json::parse(ReadTextFile((folder_ / "study" / "results.json").string()));
@@ -54,6 +56,23 @@ TEST_F(StudyFeatureAnalysis, WritesTheSameBytesForOneAndTwoThreads) {
   ASSERT_EQ(RunLine(Line("two", "--threads 2")).code, 0);
   EXPECT_EQ(handcraft::testing::ReadTree(folder_ / "one"),
             handcraft::testing::ReadTree(folder_ / "two"));
+}
+
+TEST_F(StudyFeatureAnalysis, TakesNoFolderOfSomethingElse) {
+  ASSERT_EQ(RunLine(Line("study")).code, 0);
+  const auto before = handcraft::testing::ReadTree(folder_ / "study");
+  EXPECT_THAT(RunLine(Line("study", "--ridge 2")).err,
+              HasSubstr("another input \"study\": ridge = 1, now ridge = 2"));
+  std::filesystem::create_directories(folder_ / "other/inputs");
+  std::filesystem::create_directory(folder_ / "letters");
+  WriteFileAtomically(folder_ / "other/inputs/study", "seed = 7\n");
+  EXPECT_THAT(RunLine(Line("other")).err,
+              HasSubstr("another input \"study\": seed = 7, now study = feature-analysis"));
+  WriteFileAtomically(folder_ / "letters/letter.txt", "");
+  EXPECT_THAT(RunLine(Line("letters")).err, HasSubstr("holds something else"));
+  EXPECT_EQ(NumEntries(folder_ / "letters"), 1U);
+  EXPECT_EQ(RunLine(Line("study")).code, 0);
+  EXPECT_EQ(handcraft::testing::ReadTree(folder_ / "study"), before);
 }
 
 TEST_F(StudyFeatureAnalysis, LeavesNothingBehindWhenItFails) {
