@@ -39,31 +39,52 @@ Range RangeOf(const BarFigure& figure) {
   return range;
 }
 
+std::size_t ColourOf(const BarFigure& figure, std::size_t i) {
+  return figure.series[i].colour.value_or(i);
+}
+
+bool HasBars(const BarFigure::Series& series) {
+  return std::any_of(series.bars.begin(), series.bars.end(), [](const Estimate& bar) {
+    return !std::isnan(bar.value);
+  });
+}
+
+// gnuplot leaves out a bar with an end that is NaN: a bar without an interval ends at its value.
+std::string BarText(const Estimate& bar) {
+  return fmt::format(" {} {} {}",
+                     GnuplotNumber(bar.value),
+                     GnuplotNumber(std::isnan(bar.low) ? bar.value : bar.low),
+                     GnuplotNumber(std::isnan(bar.high) ? bar.value : bar.high));
+}
+
 std::string DataBlock(const BarFigure& figure) {
   std::string text = "$bars << END_OF_BARS\n";
   for (std::size_t k = 0; k < figure.groups.size(); ++k) {
     text += GnuplotText(figure.groups[k]);
     for (const BarFigure::Series& series : figure.series) {
-      const Estimate& bar = series.bars.at(k);
-      text += fmt::format(
-          " {} {} {}", GnuplotNumber(bar.value), GnuplotNumber(bar.low), GnuplotNumber(bar.high));
+      text += BarText(series.bars.at(k));
     }
     text += "\n";
   }
   return text + "END_OF_BARS\n";
 }
 
+// A histogram of NaN alone stops gnuplot: such a series is an entry of the key, and where there is
+// no other, points without size bring the axis and the names of the groups.
 std::string PlotCommand(const BarFigure& figure) {
   std::string text = "plot ";
+  if (std::none_of(figure.series.begin(), figure.series.end(), HasBars)) {
+    text += "$bars using 0:(0):xtic(1) with points pointsize 0 notitle";
+  }
   for (std::size_t i = 0; i < figure.series.size(); ++i) {
     const std::size_t column = 2 + 3 * i;
-    text += fmt::format("{}$bars using {}:{}:{}:xtic(1) title {} linecolor rgb {}",
-                        i == 0 ? "" : ", ",
-                        column,
-                        column + 1,
-                        column + 2,
+    if (text.back() != ' ') text += ", ";
+    text += HasBars(figure.series[i])
+                ? fmt::format("$bars using {}:{}:{}:xtic(1)", column, column + 1, column + 2)
+                : "keyentry with boxes";
+    text += fmt::format(" title {} linecolor rgb {}",
                         GnuplotText(figure.series[i].name),
-                        GnuplotColour(i));
+                        GnuplotColour(ColourOf(figure, i)));
   }
   return text + "\n";
 }
@@ -73,7 +94,7 @@ void AddBars(const BarFigure& figure, SvgFigure& plot) {
       Tone::kFirst, Tone::kSecond, Tone::kThird, Tone::kQuiet, Tone::kInk};
   const double width = kGroupWidth / static_cast<double>(figure.series.size());
   for (std::size_t i = 0; i < figure.series.size(); ++i) {
-    const Tone tone = kTones[i % kTones.size()];
+    const Tone tone = kTones[ColourOf(figure, i) % kTones.size()];
     for (std::size_t k = 0; k < figure.groups.size(); ++k) {
       const Estimate& bar = figure.series[i].bars.at(k);
       if (std::isnan(bar.value)) continue;

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +17,8 @@ namespace handcraft::experiments {
 struct BarFigure {
   struct Series {
     std::string name;
-    std::vector<Estimate> bars;  ///< one a group; NaN: none
+    std::vector<Estimate> bars;              ///< one a group; NaN: none
+    std::optional<std::size_t> colour = {};  ///< as that of another figure; none: by position
   };
   std::string title;
   std::string y_label;

@@ -20,15 +20,26 @@ namespace fs = std::filesystem;
 SvgFigure Plot(const BarFigure& figure) { return PlotBars(figure); }
 SvgFigure Plot(const LineFigure& figure) { return PlotLines(figure); }
 
-// The SVG of a figure, by gnuplot where there is one.
-PageFigure WriteFigure(const fs::path& folder, const NamedFigure& named, bool& has_gnuplot) {
+// Whether gnuplot drew the figure; the report is told when it did not.
+bool DrawByGnuplot(const fs::path& program, const std::string& name, GnuplotReport& report) {
+  if (!report.has_gnuplot) return false;
+  const GnuplotOutcome outcome = RunGnuplot(program);
+  if (outcome == GnuplotOutcome::kNoGnuplot) report.has_gnuplot = false;
+  if (outcome == GnuplotOutcome::kFailed) report.failed.push_back(name);
+  return outcome == GnuplotOutcome::kDone;
+}
+
+// The SVG of a figure, by gnuplot where that works.
+PageFigure WriteFigure(const fs::path& folder, const NamedFigure& named, GnuplotReport& report) {
   const fs::path program = folder / (named.name + ".gnuplot");
   const fs::path svg = folder / (named.name + ".svg");
   return std::visit(
       [&](const auto& figure) -> PageFigure {
         WriteFileAtomically(program, GnuplotProgram(figure, named.name));
-        has_gnuplot = has_gnuplot && RunGnuplot(program);
-        if (!has_gnuplot) WriteFileAtomically(svg, Plot(figure).ToFileText());
+        if (!DrawByGnuplot(program, named.name, report)) {
+          WriteFileAtomically(svg, Plot(figure).ToFileText());
+          fs::remove(folder / (named.name + ".pdf"));
+        }
         return {figure.title, ReadTextFile(svg)};
       },
       named.figure);
@@ -40,7 +51,7 @@ FigureFiles WriteFigures(const fs::path& folder, std::span<const NamedFigure> fi
   fs::create_directories(folder);
   FigureFiles files;
   for (const NamedFigure& figure : figures) {
-    files.figures.push_back(WriteFigure(folder, figure, files.has_gnuplot));
+    files.figures.push_back(WriteFigure(folder, figure, files.gnuplot));
   }
   return files;
 }

@@ -26,15 +26,21 @@ struct PageFigure {
   std::string svg;
 };
 
+/// What gnuplot made of figures, for the caller to tell.
+struct GnuplotReport {
+  bool has_gnuplot = true;               ///< false: the SVG are our own, and there are no PDF
+  std::vector<std::string> failed = {};  ///< names of the figures it failed on: the same of these
+};
+
 /// Figures as files, and what a page shows of them.
 struct FigureFiles {
   std::vector<PageFigure> figures = {};
-  bool has_gnuplot = true;  ///< false: the SVG are our own, and there are no PDF
+  GnuplotReport gnuplot = {};
 };
 
 /// Writes each figure into the folder, which is made: its program for gnuplot, and NAME.svg and
-/// NAME.pdf by gnuplot; without gnuplot NAME.svg drawn by ourselves. Throws Error when it cannot
-/// write.
+/// NAME.pdf by gnuplot; without gnuplot, or where it fails, NAME.svg drawn by ourselves and no
+/// NAME.pdf, not even an earlier one. Throws Error when it cannot write.
 [[nodiscard]] FigureFiles WriteFigures(const std::filesystem::path& folder,
                                        std::span<const NamedFigure> figures);
 

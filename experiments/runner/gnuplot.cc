@@ -16,15 +16,18 @@
 namespace handcraft::experiments {
 namespace {
 
+constexpr int kCannotPrepare = 126;
+constexpr int kCannotStart = 127;
+
 // In the child: only calls that are allowed between fork and exec.
 [[noreturn]] void BecomeGnuplot(const char* folder, const char* file) {
   const int nowhere = ::open("/dev/null", O_RDWR);
   if (nowhere < 0 || ::dup2(nowhere, STDOUT_FILENO) < 0 || ::dup2(nowhere, STDERR_FILENO) < 0 ||
       ::chdir(folder) != 0) {
-    ::_exit(127);
+    ::_exit(kCannotPrepare);
   }
   ::execlp("gnuplot", "gnuplot", file, nullptr);
-  ::_exit(127);
+  ::_exit(kCannotStart);
 }
 
 }  // namespace
@@ -60,14 +63,16 @@ std::string GnuplotOutputs(const std::string& plot_command, const std::string& n
   return text;
 }
 
-bool RunGnuplot(const std::filesystem::path& program) {
+GnuplotOutcome RunGnuplot(const std::filesystem::path& program) {
   const std::string folder = std::filesystem::absolute(program).parent_path().string();
   const std::string file = program.filename().string();
   const pid_t child = ::fork();
-  if (child < 0) return false;
+  if (child < 0) return GnuplotOutcome::kFailed;
   if (child == 0) BecomeGnuplot(folder.c_str(), file.c_str());
   int status = 0;
-  return ::waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  if (::waitpid(child, &status, 0) != child || !WIFEXITED(status)) return GnuplotOutcome::kFailed;
+  if (WEXITSTATUS(status) == kCannotStart) return GnuplotOutcome::kNoGnuplot;
+  return WEXITSTATUS(status) == 0 ? GnuplotOutcome::kDone : GnuplotOutcome::kFailed;
 }
 
 }  // namespace handcraft::experiments

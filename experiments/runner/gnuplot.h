@@ -22,7 +22,10 @@ namespace handcraft::experiments {
 /// Commands that draw by `plot_command` into NAME.svg and NAME.pdf beside the program.
 [[nodiscard]] std::string GnuplotOutputs(const std::string& plot_command, const std::string& name);
 
-/// Runs gnuplot on the program, from its folder. False when there is no gnuplot or it fails.
-[[nodiscard]] bool RunGnuplot(const std::filesystem::path& program);
+/// How a run of gnuplot ended.
+enum class GnuplotOutcome { kDone, kFailed, kNoGnuplot };
+
+/// Runs gnuplot on the program, from its folder.
+[[nodiscard]] GnuplotOutcome RunGnuplot(const std::filesystem::path& program);
 
 }  // namespace handcraft::experiments

@@ -46,17 +46,31 @@ std::string DataBlocks(const LineFigure& figure) {
   return text;
 }
 
+// gnuplot crashes on labels of which none has a place.
+std::string NamesOfPoints(const LineFigure::Series& series, std::size_t i) {
+  const bool has_points =
+      std::any_of(series.points.begin(), series.points.end(), [](const LineFigure::Point& point) {
+        return !std::isnan(point.y);
+      });
+  if (!has_points) return {};
+  return fmt::format(
+      ", $series{} using 1:2:3 with labels left offset 0.6,-0.6 font \",10\" textcolor rgb {} "
+      "notitle",
+      i,
+      GnuplotColour(i));
+}
+
 std::string PlotCommand(const LineFigure& figure) {
   std::string text = "plot ";
   for (std::size_t i = 0; i < figure.series.size(); ++i) {
     text += fmt::format(
         "{0}$series{1} using 1:2 with linespoints pointtype 7 pointsize 0.7 linewidth 2 linecolor "
-        "rgb {2} title {3}, $series{1} using 1:2:3 with labels left offset 0.6,-0.6 font \",10\" "
-        "textcolor rgb {2} notitle",
+        "rgb {2} title {3}{4}",
         i == 0 ? "" : ", ",
         i,
         GnuplotColour(i),
-        GnuplotText(figure.series[i].name));
+        GnuplotText(figure.series[i].name),
+        NamesOfPoints(figure.series[i], i));
   }
   return text + "\n";
 }

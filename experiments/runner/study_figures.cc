@@ -109,7 +109,7 @@ std::vector<NamedFigure> FiguresOf(const StudyRun& run, const StudySummary& summ
                        .series = {}};
   for (const SeriesSummary& series : summary.series) {
     BarFigure::Series level{.name = series.label, .bars = {}};
-    BarFigure::Series change{.name = series.label, .bars = {}};
+    BarFigure::Series change{.name = series.label, .bars = {}, .colour = accuracy.series.size()};
     for (const ClassSummary& of_class : series.by_class) {
       level.bars.push_back(InPercent(of_class.figures.best_pixel_accuracy));
       if (!of_class.difference) continue;

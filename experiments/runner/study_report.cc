@@ -3,6 +3,8 @@
 
 #include "experiments/runner/study_report.h"
 
+#include <utility>
+
 #include "experiments/runner/study_examples.h"
 #include "experiments/runner/study_figures.h"
 #include "experiments/runner/study_page.h"
@@ -18,15 +20,15 @@ constexpr std::size_t kMaxExamples = 5;
 
 }  // namespace
 
-StudyReport WriteStudyReport(const fs::path& out,
-                             const StudyRun& run,
-                             const StudySummary& summary) {
-  const FigureFiles files = WriteFigures(out / "figures", FiguresOf(run, summary));
+GnuplotReport WriteStudyReport(const fs::path& out,
+                               const StudyRun& run,
+                               const StudySummary& summary) {
+  FigureFiles files = WriteFigures(out / "figures", FiguresOf(run, summary));
   WriteFileAtomically(out / "summary.md", SummaryMarkdown(run, summary));
   WriteFileAtomically(
       out / "report.html",
       MakeStudyPage(run, summary, files.figures, MakeExamples(run, summary, out, kMaxExamples)));
-  return {.has_gnuplot = files.has_gnuplot};
+  return std::move(files.gnuplot);
 }
 
 }  // namespace handcraft::experiments

@@ -5,19 +5,15 @@
 
 #include <filesystem>
 
+#include "experiments/runner/figure_files.h"
 #include "experiments/runner/study_summary.h"
 
 namespace handcraft::experiments {
 
-/// What was written, for the caller to tell.
-struct StudyReport {
-  bool has_gnuplot = false;  ///< false: figures are SVG of our own, and there are no PDF files
-};
-
 /// Writes summary.md, report.html and figures/ (SVG and PDF, with their programs for gnuplot) into
 /// the folder of the run's results. Throws Error.
-StudyReport WriteStudyReport(const std::filesystem::path& out,
-                             const StudyRun& run,
-                             const StudySummary& summary);
+GnuplotReport WriteStudyReport(const std::filesystem::path& out,
+                               const StudyRun& run,
+                               const StudySummary& summary);
 
 }  // namespace handcraft::experiments

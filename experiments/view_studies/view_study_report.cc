@@ -187,12 +187,12 @@ std::string SummaryText(const ViewStudyRun& run) {
 
 }  // namespace
 
-bool WriteViewStudyReport(const fs::path& out, const ViewStudyRun& run) {
+GnuplotReport WriteViewStudyReport(const fs::path& out, const ViewStudyRun& run) {
   std::vector<NamedFigure> figures = {{"right_answers", SharesFigure(run)}};
   if (run.study.task == ViewTask::kObjectRotation) {
     figures.push_back({"rotation_histogram", HistogramFigure(run)});
   }
-  const FigureFiles files = WriteFigures(out / "figures", figures);
+  FigureFiles files = WriteFigures(out / "figures", figures);
   WriteFileAtomically(out / "summary.md", SummaryText(run));
   WriteFileAtomically(
       out / "report.html",
@@ -200,7 +200,7 @@ bool WriteViewStudyReport(const fs::path& out, const ViewStudyRun& run) {
                    HeaderText(run) + "<h2>Right answers</h2>\n" + HtmlText(SharesTable(run)) +
                        FigureCards(files.figures) + AnswersText(run) + "<h2>Times</h2>\n" +
                        HtmlText(TimesTable(run)) + InputsText(run)));
-  return files.has_gnuplot;
+  return std::move(files.gnuplot);
 }
 
 }  // namespace handcraft::experiments

@@ -5,12 +5,13 @@
 
 #include <filesystem>
 
+#include "experiments/runner/figure_files.h"
 #include "experiments/view_studies/view_study_run.h"
 
 namespace handcraft::experiments {
 
 /// Writes summary.md, report.html and figures/ (SVG and PDF, with their programs for gnuplot) into
-/// the folder of the run's results; false when there is no gnuplot, and thus no PDF. Throws Error.
-bool WriteViewStudyReport(const std::filesystem::path& out, const ViewStudyRun& run);
+/// the folder of the run's results. Throws Error.
+GnuplotReport WriteViewStudyReport(const std::filesystem::path& out, const ViewStudyRun& run);
 
 }  // namespace handcraft::experiments

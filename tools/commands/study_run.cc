@@ -107,8 +107,14 @@ void PrintJson(const StudyRunCommand& options,
                  {"results", (std::filesystem::path(options.out) / "results.csv").string()}});
 }
 
-void WarnWithoutGnuplot(const Console& console) {
-  console.Warn("there is no gnuplot: figures are SVG alone, without PDF (Debian: gnuplot-nox)");
+void WarnOf(const experiments::GnuplotReport& gnuplot, const Console& console) {
+  if (!gnuplot.has_gnuplot) {
+    console.Warn("there is no gnuplot: figures are SVG alone, without PDF (Debian: gnuplot-nox)");
+  }
+  for (const std::string& name : gnuplot.failed) {
+    console.Warn(
+        fmt::format("gnuplot failed on figures/{0}.gnuplot: {0} is SVG alone, without PDF", name));
+  }
 }
 
 void RunPixelStudy(const StudyRunCommand& options,
@@ -121,8 +127,7 @@ void RunPixelStudy(const StudyRunCommand& options,
       study, {.out = options.out, .num_threads = options.num_threads, .progress = bar.Callback()});
   bar.Clear();
   const experiments::StudySummary summary = experiments::SummariseStudy(run, options.num_threads);
-  const experiments::StudyReport report = experiments::WriteStudyReport(options.out, run, summary);
-  if (!report.has_gnuplot) WarnWithoutGnuplot(console);
+  WarnOf(experiments::WriteStudyReport(options.out, run, summary), console);
   for (const std::string& warning : summary.warnings) console.Warn(warning);
   const std::string verdict = experiments::VerdictText(study, summary);
   options.json ? PrintJson(options, run, verdict, console)
@@ -164,7 +169,7 @@ void RunStudyOfViews(const StudyRunCommand& options,
   const experiments::ViewStudyRun run = experiments::RunViewStudy(
       study, {.out = options.out, .num_threads = options.num_threads, .progress = bar.Callback()});
   bar.Clear();
-  if (!experiments::WriteViewStudyReport(options.out, run)) WarnWithoutGnuplot(console);
+  WarnOf(experiments::WriteViewStudyReport(options.out, run), console);
   PrintViewStudy(options, run, console);
 }
 
@@ -194,7 +199,10 @@ void AddStudyRun(CLI::App& parent, const Console& console) {
       ->type_name("DIR");
   command->add_option("--test-data", options->test_data, "Data set in place of [data.test]")
       ->type_name("DIR");
-  command->add_option("--methods", options->methods, "These methods of the study alone")
+  command
+      ->add_option("--methods",
+                   options->methods,
+                   "These methods of the study alone; its baseline, if any, must be among them")
       ->type_name("NAME,...")
       ->delimiter(',');
   AddThreadsOption(*command, options->num_threads);

@@ -27,10 +27,29 @@ BarFigure TwoByTwo() {
 TEST(GnuplotProgram, HoldsTheNumbersAndWritesBothFiles) {
   EXPECT_THAT(GnuplotProgram(TwoByTwo(), "figure"),
               AllOf(HasSubstr("\"tea_cup\" 50 40 60 -5 -8 2\n"),
-                    HasSubstr("\"mug\" NaN NaN NaN 7 NaN NaN\n"),
+                    HasSubstr("\"mug\" NaN NaN NaN 7 7 7\n"),
                     HasSubstr("set output \"figure.svg\""),
                     HasSubstr("set output \"figure.pdf\""),
                     HasSubstr("title \"H1\"")));
+}
+
+TEST(GnuplotProgram, KeepsTheNameOfASeriesWithoutBars) {
+  BarFigure figure = TwoByTwo();
+  figure.series[0].bars[0] = figure.series[0].bars[1];
+  EXPECT_THAT(GnuplotProgram(figure, "figure"),
+              HasSubstr("plot keyentry with boxes title \"all500\" linecolor rgb \"#14766f\", "
+                        "$bars using 5:6:7:xtic(1) title \"H1\""));
+}
+
+TEST(GnuplotProgram, HasTheColourThatIsAskedFor) {
+  BarFigure figure = TwoByTwo();
+  const std::string drawn = PlotBars(figure).ToFileText();
+  figure.series[1].colour = 1;
+  EXPECT_EQ(PlotBars(figure).ToFileText(), drawn);
+  figure.series[1].colour = 2;
+  EXPECT_THAT(GnuplotProgram(figure, "figure"),
+              HasSubstr("title \"H1\" linecolor rgb \"#5566a8\""));
+  EXPECT_NE(PlotBars(figure).ToFileText(), drawn);
 }
 
 TEST(GnuplotProgram, LetsNoNameBecomeACommand) {

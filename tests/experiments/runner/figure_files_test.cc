@@ -16,6 +16,7 @@ namespace {
 
 using handcraft::testing::TemporaryDirectory;
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -30,11 +31,27 @@ TEST(WriteFigures, WritesProgramAndPictureOfEach) {
   ASSERT_EQ(files.figures.size(), 1U);
   EXPECT_EQ(files.figures[0].svg, ReadTextFile(folder / "figures/bars.svg"));
   EXPECT_EQ(ReadTextFile(folder / "figures/bars.gnuplot"), GnuplotProgram(bars, "bars"));
-  EXPECT_EQ(std::filesystem::exists(folder / "figures/bars.pdf"), files.has_gnuplot);
+  EXPECT_EQ(std::filesystem::exists(folder / "figures/bars.pdf"), files.gnuplot.has_gnuplot);
   EXPECT_THAT(FigureCards(files.figures),
               AllOf(StartsWith("<figure"),
                     HasSubstr("One &amp; two"),
                     HasSubstr("data:image/svg+xml;base64,")));
+}
+
+TEST(WriteFigures, TellsOfTheFigureThatGnuplotFailsOn) {
+  const TemporaryDirectory folder;
+  const LineFigure empty{.title = "t", .x_label = "x", .y_label = "y", .series = {}};
+  LineFigure good = empty;
+  good.series = {{.name = "s", .points = {{1.0, 2.0, "p"}}}};
+  const std::array figures = {NamedFigure{.name = "empty", .figure = empty},
+                              NamedFigure{.name = "good", .figure = good}};
+  WriteFileAtomically(folder / "empty.pdf", "of an earlier run");
+  const FigureFiles files = WriteFigures(folder.path(), figures);
+  EXPECT_EQ(files.figures[0].svg, PlotLines(empty).ToFileText());
+  EXPECT_FALSE(std::filesystem::exists(folder / "empty.pdf"));
+  if (!files.gnuplot.has_gnuplot) GTEST_SKIP() << "no gnuplot here";
+  EXPECT_THAT(files.gnuplot.failed, ElementsAre("empty"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "good.pdf"));
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ TEST(GnuplotProgram, DrawsLinesThroughNamedPoints) {
                     HasSubstr("$series1 << END_OF_SERIES\n54 NaN \"H3\"\n"),
                     HasSubstr("set xrange [0:560]\nset yrange [0:8.96]"),
                     HasSubstr("set xlabel \"number of features\""),
-                    HasSubstr("title \"two\""),
+                    HasSubstr("title \"two\"\n"),
                     HasSubstr("set output \"time.pdf\"")));
 }
 

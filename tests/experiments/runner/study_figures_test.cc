@@ -23,6 +23,8 @@ TEST(FiguresOf, ShowsLevelsAndDifferencesInPercent) {
   ASSERT_EQ(difference.series.size(), 2U);
   EXPECT_EQ(difference.series[0].name, "edge, ridge = 0.5");
   EXPECT_NEAR(difference.series[0].bars[0].value, -10.0, 1e-9);
+  EXPECT_EQ(difference.series[0].colour, 2U) << "as in the other figure";
+  EXPECT_EQ(accuracy.series[2].name, difference.series[0].name);
 }
 
 TEST(FiguresOf, ShowsMeanTimesAgainstTheNumberOfFeatures) {

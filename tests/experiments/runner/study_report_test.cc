@@ -21,7 +21,7 @@ TEST(WriteStudyReport, WritesPageSummaryAndFigures) {
   const std::filesystem::path out = folder / "out";
   const StudyRun run = RunStudy(testing::SmallStudy(folder / "data"), {.out = out});
   const StudySummary summary = SummariseStudy(run, 1);
-  const StudyReport report = WriteStudyReport(out, run, summary);
+  const GnuplotReport report = WriteStudyReport(out, run, summary);
   EXPECT_THAT(ReadTextFile(out / "summary.md"), HasSubstr("# Rough <or> smooth"));
   EXPECT_THAT(ReadTextFile(out / "report.html"), HasSubstr("data:image/jpeg;base64,"));
   EXPECT_THAT(ReadTextFile(out / "figures/best_pixel_accuracy.svg"), HasSubstr("<svg"));
