@@ -13,6 +13,7 @@
 #include "datasets/importers/staging_folder.h"
 #include "datasets/parallel_reporting.h"
 #include "lib/core/check.h"
+#include "lib/core/path_kind.h"
 #include "lib/perception/image_io.h"
 
 namespace handcraft::datasets {
@@ -60,7 +61,7 @@ LabelledImageSet ProvideScaledSet(const LabelledImageSet& set,
                                   int num_threads,
                                   const Progress& progress) {
   HC_CHECK(scale >= 0.1 && scale <= 10.0, scale);
-  if (fs::exists(folder / "manifest.csv")) return ReadLabelledImageSet(folder);
+  if (Exists(folder / "manifest.csv")) return ReadLabelledImageSet(folder);
   fs::create_directories(folder.parent_path());
   StagingFolder staging(folder);
   staging.AddFolder("images");

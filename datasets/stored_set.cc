@@ -15,6 +15,7 @@
 #include "datasets/labelled_image_faults.h"
 #include "datasets/view_set_faults.h"
 #include "lib/core/error.h"
+#include "lib/core/path_kind.h"
 
 namespace handcraft::datasets {
 namespace {
@@ -37,8 +38,8 @@ fs::path StoredSet::list() const {
 }
 
 StoredSet OpenSet(const fs::path& root) {
-  const bool has_manifest = fs::exists(root / kManifestFileName);
-  const bool has_views = fs::exists(root / kViewsFileName);
+  const bool has_manifest = KindOf(root / kManifestFileName) != PathKind::kNothing;
+  const bool has_views = KindOf(root / kViewsFileName) != PathKind::kNothing;
   if (has_manifest && has_views) {
     throw Error({.path = root.string(),
                  .reason = "both manifest.csv and views.csv in this folder",
@@ -46,10 +47,10 @@ StoredSet OpenSet(const fs::path& root) {
   }
   if (has_views) {
     return {.pictures = ReadViewSet(root),
-            .has_demonstrations = fs::exists(root / kDemonstrationsFileName),
-            .has_holds = fs::exists(root / kHoldsFileName)};
+            .has_demonstrations = KindOf(root / kDemonstrationsFileName) != PathKind::kNothing,
+            .has_holds = KindOf(root / kHoldsFileName) != PathKind::kNothing};
   }
-  if (fs::is_directory(root) && !has_manifest && !fs::exists(root / kMadeUpFileName)) {
+  if (KindOf(root) == PathKind::kFolder && !has_manifest && !Exists(root / kMadeUpFileName)) {
     throw Error({.path = root.string(),
                  .reason = "neither manifest.csv nor views.csv in this folder: not a data set",
                  .remedy = "see docs/datasets.md, or make one with handcraft data import or "

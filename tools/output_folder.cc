@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lib/core/error.h"
+#include "lib/core/path_kind.h"
 
 namespace handcraft::tools {
 
@@ -18,7 +19,7 @@ OutputFolder::OutputFolder(const std::filesystem::path& folder)
     level /= part;
     std::error_code error;
     if (std::filesystem::create_directory(level, error)) made_folders_.push_back(level);
-    if (!std::filesystem::is_directory(level)) {
+    if (KindOf(level) != PathKind::kFolder) {
       const std::string why = error ? error.message() : "a file of this name is in the way";
       for (const auto& made : made_folders_) std::filesystem::remove(made, error);
       throw Error({.path = folder.string(), .reason = "cannot create the folder: " + why});

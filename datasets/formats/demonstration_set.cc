@@ -13,6 +13,7 @@
 #include "datasets/formats/set_fingerprint.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
+#include "lib/core/path_kind.h"
 
 namespace handcraft::datasets {
 namespace {
@@ -64,7 +65,7 @@ std::string RowText(const Demonstration& item) {
 
 DemonstrationSet ReadDemonstrationSet(const fs::path& root) {
   const fs::path path = root / kDemonstrationsFileName;
-  if (fs::is_directory(root) && !fs::exists(path)) {
+  if (KindOf(root) == PathKind::kFolder && KindOf(path) == PathKind::kNothing) {
     throw Error({.path = root.string(),
                  .reason = "no demonstrations.csv in this folder: not a demonstration set",
                  .remedy = "see docs/datasets.md, or make one with handcraft data synth"});

@@ -10,6 +10,7 @@
 
 #include "datasets/formats/mesh_text.h"
 #include "lib/core/file.h"
+#include "lib/core/path_kind.h"
 
 namespace handcraft::datasets {
 namespace {
@@ -91,7 +92,7 @@ class ObjParser {
     const bool leaves = name.is_absolute() || name.lexically_normal().string().starts_with("..");
     if (name.empty() || leaves) lines_.Fail("a file of materials lies in the folder or below it");
     const fs::path path = path_.parent_path() / name;
-    if (!fs::is_regular_file(path)) return;
+    if (KindOf(path) != PathKind::kFile) return;
     const std::string text = ReadTextFile(path);
     MeshText lines(path, text);
     std::optional<std::string> material;

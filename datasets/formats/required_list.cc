@@ -7,26 +7,27 @@
 
 #include "datasets/formats/listing_rules.h"
 #include "lib/core/error.h"
+#include "lib/core/path_kind.h"
 
 namespace handcraft::datasets {
 
 namespace fs = std::filesystem;
 
 void RequireList(const fs::path& root, std::string_view name, const std::string& kind) {
-  if (!fs::exists(root) || fs::exists(root / name)) return;
+  if (!Exists(root) || KindOf(root / name) != PathKind::kNothing) return;
   const auto fail = [&](std::string reason, std::string remedy) {
     throw Error({.path = root.string(), .reason = std::move(reason), .remedy = std::move(remedy)});
   };
-  if (!fs::is_directory(root)) fail("is a file", "give the folder of the data set");
+  if (KindOf(root) != PathKind::kFolder) fail("is a file", "give the folder of the data set");
   const std::string missing = "no " + std::string(name) + " in this folder";
   for (const std::string_view other : {kManifestFileName, kViewsFileName}) {
-    if (fs::exists(root / other)) {
+    if (Exists(root / other)) {
       std::string reason = missing;
       reason.append(" but ").append(other).append(": not ").append(kind);
       fail(std::move(reason), "see docs/datasets.md");
     }
   }
-  if (fs::exists(root / kMadeUpFileName)) {
+  if (Exists(root / kMadeUpFileName)) {
     fail(missing + ": handcraft data synth has not finished it",
          "run that again with the options in dataset.toml; it goes on where it stopped");
   }

@@ -22,6 +22,7 @@
 #include "datasets/importers/labelled_shapes.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
+#include "lib/core/path_kind.h"
 
 namespace handcraft::datasets {
 namespace {
@@ -164,7 +165,7 @@ SourcePicture Describe(const fs::path& file, const fs::path& folder, CocoImage i
 
 SourceSet ListCoco(const fs::path& file, const CocoOptions& options) {
   options.roles.Validate();
-  if (fs::is_directory(file)) {
+  if (KindOf(file) == PathKind::kFolder) {
     throw Error({.path = file.string(),
                  .reason = "is a folder",
                  .remedy = "name the JSON file of the annotations in it, often instances_*.json"});

@@ -17,6 +17,7 @@
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
 #include "lib/core/option_rules.h"
+#include "lib/core/path_kind.h"
 #include "lib/perception/image_io.h"
 
 namespace handcraft::datasets {
@@ -69,7 +70,7 @@ SourceSet ListCoil(const fs::path& source, const CoilOptions& options) {
   options.Validate();
   static const std::regex kPattern("(obj[0-9]+)__([0-9]{1,3})");
   const auto threshold = static_cast<std::uint8_t>(options.threshold);
-  if (fs::is_regular_file(source)) return ListArray(source, threshold);
+  if (KindOf(source) == PathKind::kFile) return ListArray(source, threshold);
   SourceSet set;
   int last = 0;
   for (const fs::path& file : ListFiles(source, std::numeric_limits<int>::max())) {

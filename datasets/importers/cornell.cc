@@ -19,6 +19,7 @@
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
 #include "lib/core/option_rules.h"
+#include "lib/core/path_kind.h"
 
 namespace handcraft::datasets {
 namespace {
@@ -98,7 +99,7 @@ std::map<std::string, std::string> ReadClasses(const fs::path& source) {
       "large_diameter", "palmar_pinch", "precision_sphere", "precision_disk", "parallel_extension"};
   std::map<std::string, std::string> classes;
   const fs::path path = source / "grasp_type.csv";
-  if (!fs::exists(path)) return classes;
+  if (!Exists(path)) return classes;
   CsvRecords records(path);
   std::vector<std::string_view> fields;
   for (bool is_header = true; records.Next(fields); is_header = false) {

@@ -24,6 +24,7 @@
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
+#include "lib/core/path_kind.h"
 
 namespace handcraft::datasets {
 namespace {
@@ -184,8 +185,8 @@ SourceSet ListCvat(const fs::path& source, const CvatOptions& options) {
   options.roles.Validate();
   if (source.extension() == ".xml") return ListCvatShapes(source, options);
   RequireFolder(source);
-  const bool has_shapes = fs::exists(source / "annotations.xml");
-  const bool has_masks = fs::exists(source / "labelmap.txt");
+  const bool has_shapes = Exists(source / "annotations.xml");
+  const bool has_masks = Exists(source / "labelmap.txt");
   if (has_shapes == has_masks) {
     throw Error({.path = source.string(),
                  .reason = std::string(has_masks ? "both" : "neither") +

@@ -17,6 +17,7 @@
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
+#include "lib/core/path_kind.h"
 
 namespace handcraft::datasets {
 namespace {
@@ -125,7 +126,7 @@ SourceSet ListJacquard(const fs::path& source, const GraspMaskOptions& options) 
     if (!name.ends_with(kImageEnd)) continue;
     ++num_images;
     const std::string scene = name.substr(0, name.size() - kImageEnd.size());
-    if (!fs::exists(LabelsOf(file, scene))) continue;
+    if (!Exists(LabelsOf(file, scene))) continue;
     SourcePicture picture = Describe(file, file.lexically_relative(source), scene, options);
     if (!picture.read_rectangles().positive.empty()) set.pictures.push_back(std::move(picture));
   }

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "lib/core/error.h"
+#include "lib/core/path_kind.h"
 
 namespace handcraft::datasets {
 namespace {
@@ -21,6 +22,20 @@ namespace fs = std::filesystem;
                .reason = "is a symbolic link to " + fs::read_symlink(path, ignored).string() +
                          ", where nothing is",
                .remedy = "put the file there, or remove the link"});
+}
+
+// What stands in a tree but cannot be listed; links whose names begin with a dot are editors'
+// locks.
+void RefuseLinkThatHidesFiles(const fs::path& path, bool would_be_entered) {
+  std::error_code ignored;
+  if (!fs::is_symlink(path, ignored) || path.filename().string().starts_with('.')) return;
+  const PathKind kind = KindOf(path);
+  if (kind == PathKind::kBrokenLink) RefuseDanglingLink(path);
+  if (kind == PathKind::kFolder && would_be_entered) {
+    throw Error({.path = path.string(),
+                 .reason = "is a link to a folder, which is not followed",
+                 .remedy = "give the folder itself, or copy it to here"});
+  }
 }
 
 }  // namespace
@@ -42,10 +57,7 @@ std::vector<fs::path> ListFiles(const fs::path& folder, int max_depth) {
        it.increment(error)) {
     if (it.depth() >= max_depth) it.disable_recursion_pending();
     if (it->is_regular_file(ignored)) files.push_back(it->path());
-    const bool is_hidden = it->path().filename().string().starts_with('.');  // as editors' locks
-    if (!is_hidden && it->is_symlink(ignored) && !it->exists(ignored)) {
-      RefuseDanglingLink(it->path());
-    }
+    RefuseLinkThatHidesFiles(it->path(), it.depth() < max_depth);
   }
   if (error) {
     throw Error({.path = folder.string(),

@@ -16,8 +16,8 @@ void RequireFolder(const std::filesystem::path& path);
 
 /// Files of a folder and of the folders below it, `max_depth` levels deep (0: its own alone), in
 /// the byte order of their paths; links to files are files. Throws Error when the folder is a file
-/// or cannot be read, and naming a link that leads nowhere,
-/// unless its name begins with a dot.
+/// or cannot be read, and naming a link that leads nowhere or
+/// to a folder that would be listed, unless its name begins with a dot.
 [[nodiscard]] std::vector<std::filesystem::path> ListFiles(const std::filesystem::path& folder,
                                                            int max_depth);
 

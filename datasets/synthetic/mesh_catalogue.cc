@@ -19,6 +19,7 @@
 #include "datasets/synthetic/object_parts.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
+#include "lib/core/path_kind.h"
 #include "lib/core/sha256.h"
 #include "lib/structured_text/toml_file.h"
 
@@ -228,7 +229,7 @@ CatalogueMesh ParseMesh(const Entry& entry) {
 std::string FingerprintOf(const fs::path& folder) {
   std::map<std::string, fs::path> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file()) continue;
+    if (KindOf(entry.path()) != PathKind::kFile) continue;
     files[entry.path().lexically_relative(folder).generic_string()] = entry.path();
   }
   Sha256 hash;
@@ -263,13 +264,13 @@ Material DrawFinish(Finish finish, Rng& rng) {
 
 MeshCatalogue ReadMeshCatalogue(const fs::path& folder) {
   const fs::path file = folder / kFileName;
-  if (fs::is_regular_file(folder)) {
+  if (KindOf(folder) == PathKind::kFile) {
     throw Error({.kind = Error::Kind::kUsage,
                  .path = folder.string(),
                  .reason = "is a file; a folder with a meshes.toml is due",
                  .remedy = "docs/synthetic_data.md describes one"});
   }
-  if (!fs::is_regular_file(file)) {
+  if (KindOf(file) != PathKind::kFile) {
     throw Error({.kind = Error::Kind::kUsage,
                  .path = folder.string(),
                  .reason = "holds no meshes.toml, which says what its meshes are",

@@ -13,6 +13,7 @@
 
 #include "datasets/parallel_reporting.h"
 #include "lib/core/file.h"
+#include "lib/core/path_kind.h"
 #include "lib/core/sha256.h"
 #include "lib/perception/image_io.h"
 
@@ -53,7 +54,7 @@ std::string Record(const fs::path& root, std::string_view name, std::string_view
                                        Place("clouds", ".pcd"),
                                        Place("depth", ".png")}) {
     const std::string path = ScenePath(folder, name, ending);
-    if (!fs::exists(root / path)) continue;
+    if (!Exists(root / path)) continue;
     digest.Update(path);
     digest.Update(std::string_view("\0", 1));
     digest.Update(Sha256Hex(ReadFile(root / path)));
@@ -71,7 +72,7 @@ std::string ScenePath(std::string_view folder, std::string_view name, std::strin
 
 bool IsWhole(const fs::path& root, std::string_view name) {
   const fs::path path = root / ScenePath("scenes", name, ".toml");
-  if (!fs::exists(path)) return false;
+  if (!Exists(path)) return false;
   const std::string text = ReadTextFile(path);
   const std::string scene = text.substr(0, text.rfind(kRecordStart));
   return text == scene + Record(root, name, scene);

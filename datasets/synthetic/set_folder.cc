@@ -13,6 +13,7 @@
 #include "datasets/formats/required_list.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
+#include "lib/core/path_kind.h"
 
 namespace handcraft::synthetic {
 namespace {
@@ -60,22 +61,26 @@ void MakeOrTakeUp(const fs::path& out,
                   std::string_view parameters,
                   std::span<const std::string_view> subfolders) {
   const fs::path file = out / datasets::kMadeUpFileName;
-  if (fs::exists(out) && !fs::is_directory(out))
-    RefuseFolder(out, "is not a folder", "choose another name");
-  if (fs::exists(file)) {
+  if (KindOf(out) == PathKind::kFile) RefuseFolder(out, "is not a folder", "choose another name");
+  if (KindOf(file) != PathKind::kNothing) {
     const std::string there = ReadTextFile(file);
+    if (there.size() < parameters.size() && parameters.starts_with(there)) {
+      throw Error({.path = file.string(),
+                   .reason = "is cut after " + std::to_string(there.size()) + " bytes",
+                   .remedy = "remove the folder, or bring the file back"});
+    }
     if (there != parameters) {
       RefuseFolder(file,
                    "tells of a set made with other options: " + FirstDifference(there, parameters),
                    "give those, or another folder");
     }
-  } else if (fs::exists(out) && !fs::is_empty(out)) {
+  } else if (Exists(out) && !fs::is_empty(out)) {
     RefuseFolder(
         out, "is there already and is not an empty folder", "remove it or choose another name");
   }
   fs::create_directory(out);
   RemoveTemporaryFiles(out);
-  if (!fs::exists(file)) WriteFileAtomically(file, parameters);
+  if (!Exists(file)) WriteFileAtomically(file, parameters);
   for (const std::string_view folder : subfolders) {
     fs::create_directory(out / folder);
     RemoveTemporaryFiles(out / folder);

@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <set>
+#include <string>
+#include <utility>
 
 #include "lib/core/error.h"
 
@@ -24,14 +27,20 @@ std::optional<Set> ReadIfSound(Set (*read)(const std::filesystem::path&),
 }
 
 // Takes the splits of the list that stands there over, if it lists the same pictures.
-template <class Set>
-bool TakeSplits(const std::optional<Set>& there, Set& set) {
+bool TakeSplits(const std::optional<datasets::ViewSet>& there, datasets::ViewSet& set) {
   if (!there || there->items.size() != set.items.size()) return false;
-  Set divided = set;
+  datasets::ViewSet divided = set;
   for (std::size_t i = 0; i < set.items.size(); ++i) divided.items[i].split = there->items[i].split;
   if (divided.items != there->items) return false;
   set = divided;
   return true;
+}
+
+// Pictures with their masks, which a person who edits the manifest may have put in another order.
+std::set<std::pair<std::string, std::string>> PicturesOf(const datasets::LabelledImageSet& set) {
+  std::set<std::pair<std::string, std::string>> pictures;
+  for (const datasets::LabelledImage& item : set.items) pictures.emplace(item.image, item.mask);
+  return pictures;
 }
 
 template <class Set>
@@ -42,7 +51,12 @@ bool TellsTheSame(const std::optional<Set>& there, const Set& set) {
 }  // namespace
 
 void WriteList(datasets::LabelledImageSet& set, Written& written) {
-  if (TakeSplits(ReadIfSound(datasets::ReadLabelledImageSet, set.root), set)) return;
+  std::optional<datasets::LabelledImageSet> there =
+      ReadIfSound(datasets::ReadLabelledImageSet, set.root);
+  if (there && PicturesOf(*there) == PicturesOf(set)) {
+    set = *std::move(there);
+    return;
+  }
   datasets::WriteManifest(set);
   ++written.num_lists;
 }

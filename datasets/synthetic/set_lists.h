@@ -14,11 +14,11 @@
 /// Throws Error when it cannot be.
 namespace handcraft::synthetic {
 
-/// manifest.csv. One that lists the same pictures in other splits, as handcraft data split leaves
-/// it, is left alone, and its splits are taken over into the set.
+/// manifest.csv. One that lists the same pictures and masks is left alone and taken over into the
+/// set, with the splits that handcraft data split, and the classes and columns that people gave.
 void WriteList(datasets::LabelledImageSet& set, Written& written);
 
-/// views.csv, likewise.
+/// views.csv. One that tells the same but for its splits is left alone, and these are taken over.
 void WriteList(datasets::ViewSet& set, Written& written);
 
 /// demonstrations.csv, in whatever order.

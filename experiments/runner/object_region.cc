@@ -20,6 +20,7 @@
 #include "datasets/synthetic/camera_file.h"
 #include "lib/core/check.h"
 #include "lib/core/error.h"
+#include "lib/core/path_kind.h"
 #include "lib/perception/image_io.h"
 #include "lib/structured_text/toml_file.h"
 #include "lib/structured_text/toml_table.h"
@@ -111,7 +112,7 @@ std::string DepthFingerprint(const datasets::LabelledImageSet& set) {
                                                digest_of(item.Companion(datasets::kDepth)),
                                                digest_of(item.Companion(datasets::kScene))}));
   }
-  if (fs::exists(parameters)) lines.push_back(datasets::FileDigest(parameters));
+  if (Exists(parameters)) lines.push_back(datasets::FileDigest(parameters));
   return datasets::FingerprintOf(std::move(lines));
 }
 

@@ -12,6 +12,7 @@
 
 #include "lib/core/error.h"
 #include "lib/core/file.h"
+#include "lib/core/path_kind.h"
 
 namespace handcraft::experiments {
 namespace {
@@ -40,26 +41,26 @@ std::pair<std::string, std::string> FirstDifference(std::string_view before, std
 PinnedInputs::PinnedInputs(fs::path folder) : folder_(std::move(folder)) {
   std::error_code error;
   fs::create_directories(folder_, error);
-  if (!fs::is_directory(folder_)) {
+  if (KindOf(folder_) != PathKind::kFolder) {
     throw Error({.path = folder_.string(),
                  .reason = "cannot create the folder: " +
                            (error ? error.message() : "a file of this name is in the way")});
   }
-  if (!fs::is_directory(folder_ / kInputs) && !fs::is_empty(folder_)) {
+  if (KindOf(folder_ / kInputs) != PathKind::kFolder && !fs::is_empty(folder_)) {
     throw Error({.kind = Error::Kind::kUsage,
                  .path = folder_.string(),
                  .reason = "holds something else than the results of a study",
                  .remedy = "give a new folder, or one that a study has begun"});
   }
   fs::create_directory(folder_ / kInputs, error);
-  if (!fs::is_directory(folder_ / kInputs)) {
+  if (KindOf(folder_ / kInputs) != PathKind::kFolder) {
     throw Error({.path = folder_.string(), .reason = "cannot write into the folder"});
   }
 }
 
 void PinnedInputs::Pin(std::string_view name, std::string_view text) const {
   const fs::path file = folder_ / kInputs / name;
-  if (!fs::exists(file)) {
+  if (!Exists(file)) {
     WriteFileAtomically(file, text);
     return;
   }

@@ -12,6 +12,7 @@
 #include "datasets/formats/csv_records.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
+#include "lib/core/path_kind.h"
 
 namespace handcraft::experiments {
 namespace {
@@ -35,7 +36,7 @@ std::vector<std::string> TextsOf(const std::vector<std::string_view>& fields) {
 
 Results ReadResults(const fs::path& folder) {
   const fs::path file = folder / "results.csv";
-  if (!fs::is_regular_file(file)) {
+  if (KindOf(file) != PathKind::kFile) {
     throw Error({.kind = Error::Kind::kUsage,
                  .path = folder.string(),
                  .reason = "holds no results.csv",
@@ -86,13 +87,13 @@ void CompareRows(const RowKey& key,
 std::vector<std::string> DifferentInputs(const fs::path& first, const fs::path& second) {
   std::set<std::string> names;
   for (const fs::path& folder : {first / "inputs", second / "inputs"}) {
-    if (!fs::is_directory(folder)) continue;
+    if (KindOf(folder) != PathKind::kFolder) continue;
     for (const auto& entry : fs::directory_iterator(folder)) {
       names.insert(entry.path().filename().string());
     }
   }
   const auto text_of = [](const fs::path& file) {
-    return fs::exists(file) ? ReadTextFile(file) : std::string();
+    return Exists(file) ? ReadTextFile(file) : std::string();
   };
   std::vector<std::string> different;
   for (const std::string& name : names) {

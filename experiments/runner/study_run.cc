@@ -16,6 +16,7 @@
 #include "experiments/runner/results_csv.h"
 #include "lib/core/file.h"
 #include "lib/core/option_rules.h"
+#include "lib/core/path_kind.h"
 #include "lib/runtime/handcraft_runtime.h"
 
 namespace handcraft::experiments {
@@ -86,7 +87,8 @@ void RemoveHalfWritten(const fs::path& cells) {
   for (const fs::directory_entry& entry : fs::directory_iterator(cells)) {
     const fs::path ending = entry.path().stem().extension();
     const bool is_ours = ending == kResultEnding || ending == kModelEnding;
-    if (is_ours && entry.path().extension().string().size() == 7 && entry.is_regular_file()) {
+    if (is_ours && entry.path().extension().string().size() == 7 &&
+        KindOf(entry.path()) == PathKind::kFile) {
       left.push_back(entry.path());
     }
   }
@@ -95,7 +97,7 @@ void RemoveHalfWritten(const fs::path& cells) {
 
 // A cell whose model is gone or damaged is worked out again.
 bool IsFinished(const fs::path& out, const Cell& cell) {
-  if (!fs::exists(ResultFileOf(out, cell))) return false;
+  if (!Exists(ResultFileOf(out, cell))) return false;
   try {
     return LoadModel(ModelFileOf(out, cell)).get() != nullptr;
   } catch (const Error&) {

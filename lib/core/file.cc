@@ -100,11 +100,17 @@ class TemporaryFile {
 }  // namespace
 
 std::vector<std::uint8_t> ReadFile(const fs::path& path, std::size_t max_bytes) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  // Without O_NONBLOCK a pipe that nobody writes to would never open.
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (file.value() < 0) Fail(path, "open", errno);
   struct stat status {};
   if (::fstat(file.value(), &status) != 0) Fail(path, "read", errno);
   if (S_ISDIR(status.st_mode)) Fail(path, "read", EISDIR);
+  if (!S_ISREG(status.st_mode)) {
+    throw Error({.path = path.string(),
+                 .reason = "is a pipe or a device; a file is due",
+                 .remedy = "save what it gives to a file"});
+  }
 
   std::vector<std::uint8_t> bytes;
   const auto expected = static_cast<std::size_t>(status.st_size);

@@ -14,7 +14,7 @@
 namespace handcraft {
 
 /// The whole file as bytes. Throws Error (path, system's reason) when it is missing, a folder,
-/// unreadable, or larger than max_bytes.
+/// a pipe or a device, unreadable, or larger than max_bytes.
 [[nodiscard]] std::vector<std::uint8_t> ReadFile(const std::filesystem::path& path,
                                                  std::size_t max_bytes = std::size_t{1} << 40);
 

@@ -67,6 +67,24 @@ TEST(OpenSet, SaysWhatAFolderLacks) {
       OpenSet(folder.path()), Error, HasSubstr("both manifest.csv and views.csv in this folder"));
 }
 
+TEST(OpenSet, NamesALinkThatLeadsRoundInACircle) {
+  const TemporaryDirectory folder;
+  std::filesystem::create_symlink("y", folder / "y");
+  EXPECT_THROWS_MESSAGE(
+      OpenSet(folder / "y"), Error, HasSubstr("y/manifest.csv: cannot open: Too many levels"));
+  for (const std::string name : {"views.csv", "manifest.csv"}) {
+    std::filesystem::create_symlink(name, folder / name);
+    EXPECT_THROWS_MESSAGE(
+        OpenSet(folder.path()), Error, HasSubstr(name + ": cannot open: Too many levels"));
+    std::filesystem::remove(folder / name);
+  }
+  WriteViews(testing::MakeViewSet(folder.path()));
+  std::filesystem::create_symlink("holds.csv", folder / "holds.csv");
+  const CheckedSet checked = CheckSet(OpenSet(folder.path()));
+  ASSERT_FALSE(checked.faults.empty());
+  EXPECT_THAT(checked.faults.back().reason, HasSubstr("Too many levels"));
+}
+
 TEST(CheckSet, LooksAtEveryList) {
   const TemporaryDirectory folder;
   testing::MakeDemonstrationSet(folder.path());

@@ -17,6 +17,7 @@
 #include "experiments/evaluation/table_evaluation.h"
 #include "experiments/evaluation/table_model.h"
 #include "lib/core/error.h"
+#include "lib/core/path_kind.h"
 #include "tools/cloud_commands.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
@@ -149,7 +150,7 @@ void RequireNotInputs(const EvaluateOptions& options,
 void EvaluateGraspPoints(const hc_model* model,
                          const EvaluateOptions& options,
                          const Console& console) {
-  if (std::filesystem::is_regular_file(options.data)) {
+  if (KindOf(options.data) == PathKind::kFile) {
     throw Error({.path = options.data,
                  .reason = "a grasp-point model is evaluated on a labelled image set; this is a "
                            "file",

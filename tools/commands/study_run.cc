@@ -22,6 +22,7 @@
 #include "experiments/view_studies/view_study_run.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
+#include "lib/core/path_kind.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "tools/progress_bar.h"
@@ -50,7 +51,7 @@ std::string StudyText(const StudyRunCommand& options) {
   if (const experiments::ShippedStudy* shipped = experiments::FindShippedStudy(options.study)) {
     return std::string(shipped->text);
   }
-  if (std::filesystem::exists(options.study)) return ReadTextFile(options.study);
+  if (Exists(options.study)) return ReadTextFile(options.study);
   std::string names = "feature-analysis";
   for (const experiments::ShippedStudy& shipped : experiments::ShippedStudies()) {
     names.append(", ").append(shipped.name);

@@ -47,6 +47,25 @@ TEST(ListFiles, FollowsLinksAndNamesThoseThatLeadNowhere) {
       HasSubstr("b/link: is a symbolic link to " + (folder / "a").string() + ", where nothing is"));
 }
 
+TEST(ListFiles, NamesLinksToFoldersItWouldEnter) {
+  const TemporaryDirectory folder;
+  fs::create_directories(folder / "set/b");
+  fs::create_directory(folder / "elsewhere");
+  WriteFileAtomically(folder / "elsewhere/a.png", "");
+  fs::create_directory_symlink("../elsewhere", folder / "set/more");
+  fs::create_directory_symlink("../../elsewhere", folder / "set/b/.more");
+  EXPECT_THROWS_MESSAGE(
+      ListFiles(folder / "set", 1),
+      Error,
+      HasSubstr("set/more: is a link to a folder, which is not followed (give the folder itself"));
+  EXPECT_THAT(ListFiles(folder / "set", 0), ::testing::IsEmpty()) << "folders are not entered";
+  EXPECT_THAT(ListFiles(folder / "set/more", 1), ElementsAre(folder / "set/more/a.png"));
+  fs::remove(folder / "set/more");
+  EXPECT_THAT(ListFiles(folder / "set", 2), ::testing::IsEmpty()) << "hidden ones are passed by";
+  fs::create_symlink("loop", folder / "set/loop");
+  EXPECT_THROWS_MESSAGE(ListFiles(folder / "set", 2), Error, HasSubstr("set/loop: is a symbolic"));
+}
+
 TEST(IsNamedLikeAPicture, LooksAtTheExtension) {
   for (const char* name : {"a.png", "a.b.JPG", "x/y.jpeg", "a.BMP", "a.ppm", "a.pgm"}) {
     EXPECT_TRUE(IsNamedLikeAPicture(name)) << name;

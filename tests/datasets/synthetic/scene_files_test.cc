@@ -106,6 +106,20 @@ TEST_F(WholeScene, IsWholeNoMoreWhenAnyFileIsGoneOrEmptyOrCutOrChanged) {
   }
 }
 
+TEST_F(WholeScene, IsMadeAgainWhereALinkLeadsRoundInACircle) {
+  WriteSceneFiles(folder_.path(), "mug", files_);
+  const auto whole = handcraft::testing::ReadTree(folder_.path());
+  for (const auto& file : whole) {
+    const fs::path path = folder_ / file.first;
+    fs::remove(path);
+    fs::create_symlink(path.filename(), path);
+    EXPECT_FALSE(IsWhole(folder_.path(), "mug")) << file.first;
+    WriteSceneFiles(folder_.path(), "mug", files_);
+    EXPECT_FALSE(fs::is_symlink(path));
+    EXPECT_EQ(handcraft::testing::ReadTree(folder_.path()), whole);
+  }
+}
+
 TEST_F(WholeScene, IsNotThatOfAnOlderVersionWithoutADigest) {
   WriteSceneFiles(folder_.path(), "mug", files_);
   WriteFileAtomically(folder_ / "scenes/mug.toml", files_.scene);

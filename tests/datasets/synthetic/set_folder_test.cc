@@ -68,5 +68,35 @@ TEST(PrepareSetFolder, RefusesWhatIsNotItsOwn) {
   EXPECT_FALSE(fs::exists(folder / "others/images"));
 }
 
+TEST(PrepareSetFolder, TellsOfParametersThatWereCut) {
+  const TemporaryDirectory folder;
+  PrepareSetFolder(folder / "set", "seed = 1\n", kFolders);
+  for (const std::string cut : {"", "seed = "}) {
+    WriteFileAtomically(folder / "set/dataset.toml", cut);
+    try {
+      PrepareSetFolder(folder / "set", "seed = 1\n", kFolders);
+      ADD_FAILURE() << "takes up '" << cut << "'";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.details().kind, Error::Kind::kBadInput);
+      EXPECT_THAT(error.what(),
+                  HasSubstr("dataset.toml: is cut after " + std::to_string(cut.size()) + " bytes"));
+    }
+  }
+}
+
+TEST(PrepareSetFolder, RefusesLinksThatLeadRoundInACircle) {
+  const TemporaryDirectory folder;
+  fs::create_symlink("loop", folder / "loop");
+  EXPECT_THROWS_MESSAGE(PrepareSetFolder(folder / "loop", "", kFolders),
+                        Error,
+                        HasSubstr("loop: cannot make the folder"));
+  PrepareSetFolder(folder / "set", "", kFolders);
+  fs::remove(folder / "set/dataset.toml");
+  fs::create_symlink("dataset.toml", folder / "set/dataset.toml");
+  EXPECT_THROWS_MESSAGE(PrepareSetFolder(folder / "set", "", kFolders),
+                        Error,
+                        HasSubstr("dataset.toml: cannot open: Too many levels of symbolic links"));
+}
+
 }  // namespace
 }  // namespace handcraft::synthetic

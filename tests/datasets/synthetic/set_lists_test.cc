@@ -43,6 +43,23 @@ TEST(WriteList, WritesAManifestOnceAndKeepsSplits) {
   EXPECT_EQ(set.items, divided.items);
 }
 
+TEST(WriteList, KeepsAManifestThatPeopleHaveEdited) {
+  const TemporaryDirectory folder;
+  const datasets::LabelledImageSet made = handcraft::testing::MakeSet(folder.path());
+  datasets::LabelledImageSet edited = made;
+  edited.items[0].object_class = "cup";
+  edited.items[0].others["rating"] = "5";
+  std::swap(edited.items[0], edited.items[1]);
+  datasets::WriteManifest(edited);
+  const std::string text = ReadTextFile(folder / datasets::kManifestFileName);
+  datasets::LabelledImageSet set = made;
+  Written written;
+  WriteList(set, written);
+  EXPECT_TRUE(written.IsNothing());
+  EXPECT_EQ(set.items, edited.items);
+  EXPECT_EQ(ReadTextFile(folder / datasets::kManifestFileName), text);
+}
+
 TEST(WriteList, ReplacesAManifestThatIsNotOfThisSet) {
   const TemporaryDirectory folder;
   const datasets::LabelledImageSet made = handcraft::testing::MakeSet(folder.path());

@@ -46,6 +46,15 @@ TEST(ReadFile, RefusesAFolder) {
   EXPECT_THROWS_MESSAGE(ReadFile(folder.path()), Error, HasSubstr("Is a directory"));
 }
 
+TEST(ReadFile, RefusesWhatNeverEnds) {
+  const testing::TemporaryDirectory folder;
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  EXPECT_THROWS_MESSAGE(
+      ReadFile(folder / "pipe"), Error, HasSubstr("pipe: is a pipe or a device; a file is due"));
+  EXPECT_THROWS_MESSAGE(
+      ReadFile("/dev/zero"), Error, HasSubstr("/dev/zero: is a pipe or a device"));
+}
+
 TEST(ReadFile, RefusesMoreThanAllowed) {
   const testing::TemporaryDirectory folder;
   WriteFileAtomically(folder / "f", "12345");
