@@ -20,7 +20,7 @@ function(handcraft_add_test path)
   if(HANDCRAFT_GOLD)
     target_link_options(${target} PRIVATE -fuse-ld=gold)
   endif()
-  target_compile_options(${target} PRIVATE -O1)  # quicker to compile; what is tested keeps its flags
+  target_compile_options(${target} PRIVATE -Og)  # quicker to compile; what is tested keeps its flags
   target_compile_definitions(${target} PRIVATE
     HANDCRAFT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   add_test(NAME ${path} COMMAND ${target} WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}/tests")

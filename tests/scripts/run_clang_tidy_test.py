@@ -107,12 +107,16 @@ class RunClangTidy(unittest.TestCase):
         self.assertEqual(self.run_script("--base", "HEAD"), (0, []))
         self.write("a.h", "// changed\n")
         self.assertEqual(self.run_script("--base", "HEAD"), (0, ["uses_a.cc"]))
-        self.assertEqual(self.run_script("--all"), (0, ["alone.cc"]))
 
-    def test_a_changed_configuration_concerns_everything(self):
+    def test_all_asks_for_more_than_what_passed(self):
+        self.run_script()
+        self.assertEqual(self.run_script("--all"), (0, ["alone.cc", "uses_a.cc"]))
+        self.assertEqual(self.run_script("--all"), (0, []))
+
+    def test_what_passed_another_configuration_did_not_pass_this_one(self):
         self.run_script()
         (self.root / ".clang-tidy").write_text("Checks: 'a'\n")
-        self.assertEqual(self.run_script("--base", "HEAD"), (0, ["alone.cc", "uses_a.cc"]))
+        self.assertEqual(self.run_script(), (0, ["alone.cc", "uses_a.cc"]))
 
 
 if __name__ == "__main__":
