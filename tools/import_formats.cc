@@ -165,6 +165,9 @@ SourceLister AddFoldersOptions(CLI::App& command) {
   };
 }
 
+constexpr const char* kFlatClouds =
+    "Flat clouds of the silhouettes, for what asks for clouds; nothing of them was measured";
+
 SourceLister AddEth80Options(CLI::App& command) {
   auto options = std::make_shared<datasets::Eth80Options>();
   AddNumber(command,
@@ -172,6 +175,7 @@ SourceLister AddEth80Options(CLI::App& command) {
             *options,
             &datasets::Eth80Options::polar_deg,
             "Views from this angle to the vertical [deg]; 90 is level");
+  command.add_flag("--flat-clouds", options->flat_clouds, kFlatClouds);
   return [options](const std::filesystem::path& source) {
     return datasets::ListEth80(source, *options);
   };
@@ -184,6 +188,7 @@ SourceLister AddCoilOptions(CLI::App& command) {
             *options,
             &datasets::CoilOptions::threshold,
             "Values up to this are dark; what is dark up to the edge is background");
+  command.add_flag("--flat-clouds", options->flat_clouds, kFlatClouds);
   return [options](const std::filesystem::path& source) {
     return datasets::ListCoil(source, *options);
   };

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "datasets/formats/npy_pictures.h"
+#include "datasets/importers/flat_cloud.h"
 #include "datasets/importers/object_mask.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
@@ -59,18 +60,9 @@ SourceSet ListArray(const fs::path& source, std::uint8_t threshold) {
   return set;
 }
 
-}  // namespace
-
-void CoilOptions::Validate() const {
-  RequireOption(
-      threshold >= 0 && threshold <= 255, "CoilOptions.threshold", threshold, "from 0 to 255");
-}
-
-SourceSet ListCoil(const fs::path& source, const CoilOptions& options) {
-  options.Validate();
+// The pictures of a folder.
+SourceSet ListTree(const fs::path& source, std::uint8_t threshold) {
   static const std::regex kPattern("(obj[0-9]+)__([0-9]{1,3})");
-  const auto threshold = static_cast<std::uint8_t>(options.threshold);
-  if (KindOf(source) == PathKind::kFile) return ListArray(source, threshold);
   SourceSet set;
   int last = 0;
   for (const fs::path& file : ListFiles(source, std::numeric_limits<int>::max())) {
@@ -96,6 +88,22 @@ SourceSet ListCoil(const fs::path& source, const CoilOptions& options) {
     picture.angle_deg =
         std::fmod(*picture.angle_deg * (last >= kNumViews ? 1.0 : kStep_deg), 360.0);
   }
+  return set;
+}
+
+}  // namespace
+
+void CoilOptions::Validate() const {
+  RequireOption(
+      threshold >= 0 && threshold <= 255, "CoilOptions.threshold", threshold, "from 0 to 255");
+}
+
+SourceSet ListCoil(const fs::path& source, const CoilOptions& options) {
+  options.Validate();
+  const auto threshold = static_cast<std::uint8_t>(options.threshold);
+  SourceSet set = KindOf(source) == PathKind::kFile ? ListArray(source, threshold)
+                                                    : ListTree(source, threshold);
+  if (options.flat_clouds) AddFlatClouds(set);
   return set;
 }
 

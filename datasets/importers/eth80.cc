@@ -11,6 +11,7 @@
 #include <string>
 #include <system_error>
 
+#include "datasets/importers/flat_cloud.h"
 #include "datasets/importers/object_mask.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
@@ -89,6 +90,7 @@ SourceSet ListEth80(const fs::path& source, const Eth80Options& options) {
                            "; angles PPP found:" + (found.empty() ? " none" : found),
                  .remedy = "give the folder of the objects, or another angle (--polar)"});
   }
+  if (options.flat_clouds) AddFlatClouds(set);
   return set;
 }
 

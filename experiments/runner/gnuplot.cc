@@ -46,7 +46,7 @@ std::string GnuplotNumber(double value) {
 
 std::string GnuplotColour(std::size_t series) {
   constexpr std::array kColours = {
-      "#14766f", "#c25a24", "#5566a8", "#8a7a2b", "#8b4a7d", "#5f6670"};
+      "#14766f", "#c25a24", "#5566a8", "#8a7a2b", "#8b4a7d", "#5f6670", "#4fa3d1", "#e0a63a"};
   return fmt::format("\"{}\"", kColours[series % kColours.size()]);
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "datasets/formats/listing_rules.h"
 #include "datasets/view_folds.h"
 #include "lib/core/error.h"
 
@@ -41,13 +42,23 @@ datasets::ObjectView Below(const std::string& folder, datasets::ObjectView view)
   return view;
 }
 
+datasets::ViewSet ReadFolder(const ViewSource& source) {
+  datasets::ViewSet set = datasets::ReadViewSet(source.folder);
+  if (source.split.empty()) return set;
+  std::erase_if(set.items,
+                [&](const datasets::ObjectView& view) { return view.split != source.split; });
+  if (!set.items.empty()) return set;
+  throw Error({.path = (set.root / datasets::kViewsFileName).string(),
+               .reason = fmt::format("no view is of the split \"{}\"", source.split)});
+}
+
 }  // namespace
 
 datasets::ViewSet ProvideViews(const ViewSource& source,
                                const fs::path& made_folder,
                                int num_threads,
                                const Progress& progress) {
-  if (!source.folder.empty()) return datasets::ReadViewSet(source.folder);
+  if (!source.folder.empty()) return ReadFolder(source);
   fs::create_directories(made_folder);
   datasets::ViewSet all{.root = made_folder, .items = {}};
   for (int number = 0; number < source.num_sets; ++number) {

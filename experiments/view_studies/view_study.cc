@@ -76,15 +76,17 @@ CloudSensor ParseSensor(const TomlTable& table) {
 }
 
 ViewSource ParseSource(const TomlTable& table, StudySize size) {
-  table.AllowOnly(
-      std::array<std::string_view, 7>{"folder", "made", "kind", "sensor", "views", "sets", "seed"});
+  table.AllowOnly(std::array<std::string_view, 8>{
+      "folder", "split", "made", "kind", "sensor", "views", "sets", "seed"});
   if (table.Has("folder") == table.Has("made")) {
     table.Fail(table.table(), "data has either a folder or made views");
   }
   if (table.Has("folder")) {
-    table.AllowOnly(std::array<std::string_view, 1>{"folder"});
-    return {.folder = table.Text("folder")};
+    table.AllowOnly(std::array<std::string_view, 2>{"folder", "split"});
+    return {.folder = table.Text("folder"),
+            .split = table.Has("split") ? table.Text("split") : std::string()};
   }
+  if (table.Has("split")) table.Fail(table.Node("split"), "split is of the views of a folder");
   ViewSource source{.families = ParseFamilies(table)};
   if (table.Has("kind")) source.kind = ParseKind(table);
   if (table.Has("sensor")) source.sensor = ParseSensor(table);
@@ -127,7 +129,10 @@ void ParseClaims(const TomlTable& top, ViewStudy& study) {
 }
 
 std::string TextOf(const ViewSource& source) {
-  if (!source.folder.empty()) return source.folder;
+  if (!source.folder.empty()) {
+    return source.split.empty() ? source.folder
+                                : fmt::format("{}, split {}", source.folder, source.split);
+  }
   std::vector<std::string_view> families;
   for (const synthetic::Family family : source.families) {
     families.push_back(synthetic::NameOf(family));

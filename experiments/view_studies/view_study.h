@@ -28,6 +28,7 @@ enum class ViewTask : std::uint8_t {
 /// Where views come from: a folder, or made to order.
 struct ViewSource {
   std::string folder = {};  ///< view set; empty: made
+  std::string split = {};   ///< of the folder's views those of this split; empty: all
   /// Families of made objects whose classes are taken together.
   std::vector<synthetic::Family> families = {};
   synthetic::ViewSetKind kind = synthetic::ViewSetKind::kTurntable;

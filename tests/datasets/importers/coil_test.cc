@@ -85,6 +85,8 @@ TEST_F(ListCoilTest, ReadsAnArrayOfPictures) {
   EXPECT_EQ(view.image.At(1, 1), 75);
   EXPECT_EQ(view.object_mask.At(1, 1), kObject);
   EXPECT_EQ(view.object_mask.At(0, 1), kNoObject);
+  const SourceSet with_clouds = ListCoil(path, {.flat_clouds = true});
+  EXPECT_TRUE(IsMeasured(with_clouds.pictures[74].make_cloud(3, 2).At(1, 1)));
   WriteNpyPictures(path, 100);
   EXPECT_THAT(RefusalOf([&] { return ListCoil(path, {}); }),
               HasSubstr("coil20.npy: 100 pictures; 72 of each object are due"));

@@ -50,6 +50,15 @@ TEST_F(ListEth80Test, ReadsATree) {
   EXPECT_THAT(ListEth80(tree_, {.polar_deg = 45}).pictures, SizeIs(1));
 }
 
+TEST_F(ListEth80Test, GivesFlatCloudsWhenAsked) {
+  AddView("cup3", "cup3-090-022");
+  EXPECT_FALSE(ListEth80(tree_, {}).pictures.at(0).make_cloud);
+  const SourceSet source = ListEth80(tree_, {.flat_clouds = true});
+  const OrganisedCloud cloud = source.pictures.at(0).make_cloud(3, 1);
+  EXPECT_TRUE(IsMeasured(cloud.At(1, 0)));
+  EXPECT_FALSE(IsMeasured(cloud.At(0, 0)));
+}
+
 TEST_F(ListEth80Test, SaysWhatWasExpectedAndFound) {
   AddView("cup3", "cup3-090-022");
   EXPECT_THAT(Refusal({.polar_deg = 22}), HasSubstr("with PPP = 22; angles PPP found: 90"));

@@ -31,6 +31,20 @@ TEST(ProvideViews, ReadsAFolder) {
                Error);
 }
 
+TEST(ProvideViews, TakesOneSplitOfAFolder) {
+  const TemporaryDirectory folder;
+  datasets::ViewSet made = MakeSmallViews(folder / "set", 1);
+  for (datasets::ObjectView& view : made.items) view.split = "train";
+  made.items.back().split = "test";
+  datasets::WriteViews(made);
+  ViewSource source{.folder = (folder / "set").string(), .split = "test"};
+  EXPECT_THAT(ProvideViews(source, folder / "made", 1, {}).items, ElementsAre(made.items.back()));
+  source.split = "tset";
+  EXPECT_THROWS_MESSAGE(static_cast<void>(ProvideViews(source, folder / "made", 1, {})),
+                        Error,
+                        HasSubstr("views.csv: no view is of the split \"tset\""));
+}
+
 TEST(OnlyFirstClasses, KeepsTheViewsOfSo) {
   const TemporaryDirectory folder;
   const datasets::ViewSet set = MakeSmallViews(folder / "set", 2);

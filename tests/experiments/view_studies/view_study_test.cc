@@ -107,6 +107,8 @@ TEST(ViewStudy, RefusesWhatDoesNotFitWithItsLine) {
       {Minimal("made = \"taught\"\nviews = 1"), "views must be a whole number from 2"},
       {Minimal("made = \"taught\"\nfolder = \"f\""), "either a folder or made views"},
       {Minimal("folder = \"f\"\nviews = 3"), "views"},
+      {Minimal("made = \"taught\"\nviews = 3\nsplit = \"test\""),
+       "split is of the views of a folder"},
       {Minimal("made = []\nviews = 3"), "made is an empty list"},
       {Minimal("made = \"taught\"\nviews = 3\nkind = \"still\""), "kind is \"still\""},
       {Minimal("made = \"taught\"\nviews = 3\nsensor = \"nose\""), "sensor is \"nose\""},
