@@ -1,15 +1,19 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <ostream>
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "datasets/formats/set_fingerprint.h"
 #include "datasets/importers/image_set_import.h"
 #include "datasets/importers/view_set_import.h"
 #include "lib/core/error.h"
@@ -83,6 +87,26 @@ void TellOf(const Set& set,
   }
 }
 
+// data check refuses a picture that is listed twice; files of unequal size need not be read.
+template <class Set>
+void WarnOfTwins(const Set& set, const Console& console) {
+  std::map<std::uintmax_t, std::vector<std::string>> by_size;
+  for (const auto& item : set.items) {
+    by_size[std::filesystem::file_size(set.root / item.image)].push_back(item.image);
+  }
+  for (const auto& group : by_size) {
+    std::map<std::string, std::string> first_of_content;
+    if (group.second.size() < 2) continue;
+    for (const std::string& image : group.second) {
+      const std::string digest = datasets::FileDigest(set.root / image);
+      const auto [first, is_new] = first_of_content.try_emplace(digest, image);
+      if (is_new) continue;
+      console.Warn(image + " is the same picture as " + first->second +
+                   ": handcraft data check refuses the set; keep one of them");
+    }
+  }
+}
+
 void RequireThere(const std::filesystem::path& source) {
   std::error_code ignored;
   if (std::filesystem::exists(source, ignored)) return;
@@ -101,10 +125,12 @@ void RunDataImport(const DataImportOptions& options, const Console& console) {
   if (options.makes == SetKind::kViews) {
     const datasets::ViewSet set = datasets::ImportViews(std::move(source), options.out, import);
     bar.Clear();
+    WarnOfTwins(set, console);
     TellOf(set, "views", options, console);
   } else {
     const auto set = datasets::ImportPictures(std::move(source), options.out, import);
     bar.Clear();
+    WarnOfTwins(set, console);
     TellOf(set, "images", options, console);
   }
 }

@@ -79,6 +79,22 @@ TEST_F(DataImport, LeavesNothingOnFailure) {
   EXPECT_EQ(NumEntries(folder_.path()), 0U);
 }
 
+TEST_F(DataImport, WarnsOfAPictureThatIsThereTwice) {
+  testing::WriteImageSet(folder_ / "source");
+  const std::string line = "data import folders " + (folder_ / "source").string() +
+                           " --images . --masks . --mask-suffix _mask --out " + out_.string();
+  EXPECT_EQ(RunLine(line).err, "");
+  std::filesystem::remove_all(out_);
+  for (const std::string ending : {".png", "_mask.png"}) {
+    std::filesystem::copy_file(folder_ / "source" / ("p0" + ending),
+                               folder_ / "source" / ("p9" + ending));
+  }
+  const Outcome outcome = RunLine(line);
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("p9.png is the same picture as "));
+  EXPECT_EQ(RunLine("data check " + out_.string()).code, 3) << "which is what it warns of";
+}
+
 TEST_F(DataImport, SaysThatTheSourceIsNotThere) {
   for (const char* format : {"folders", "cvat", "coco", "bop"}) {
     const Outcome outcome = RunLine(std::string("data import ") + format + " no/such --out " +
