@@ -8,12 +8,14 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "datasets/close_up.h"
 #include "datasets/cloud_camera.h"
 #include "lib/core/check.h"
 #include "lib/core/error.h"
@@ -72,22 +74,17 @@ PosesOfViews GroupPoses(const DemonstrationSet& set, int poses_per_view) {
 
 // The part of the picture with the object in its middle, about twice as large, 4 to 3.
 cv::Rect AboutObject(const Image& mask, const std::string& path) {
-  cv::Rect object;
-  for (int v = 0; v < mask.height(); ++v) {
-    for (int u = 0; u < mask.width(); ++u) {
-      if (mask.At(u, v) == kObject) object |= cv::Rect(u, v, 1, 1);
-    }
-  }
-  if (object.empty()) throw Error({.path = path, .reason = "the mask shows no object"});
-  const int wanted = std::max(2 * object.height, 3 * object.width / 2);
+  const std::optional<perception::PixelBox> object = FindBox(mask, kObject);
+  if (!object) throw Error({.path = path, .reason = "the mask shows no object"});
+  const int wanted = std::max(2 * object->height, 3 * object->width / 2);
   const int limit = std::min(mask.height(), mask.width() * 3 / 4);
   const int height = std::max(std::min(wanted, limit), 1);
   const int width = height * 4 / 3;
   const auto begin = [](int middle, int size, int end) {
     return std::clamp(middle - size / 2, 0, end - size);
   };
-  return {begin(object.x + object.width / 2, width, mask.width()),
-          begin(object.y + object.height / 2, height, mask.height()),
+  return {begin(object->u_px + object->width / 2, width, mask.width()),
+          begin(object->v_px + object->height / 2, height, mask.height()),
           width,
           height};
 }

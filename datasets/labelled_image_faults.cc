@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "datasets/fault_search.h"
 #include "datasets/formats/companion_file.h"
@@ -20,12 +21,6 @@ bool Has(const Image& mask, std::uint8_t value) {
   return std::find(values.begin(), values.end(), value) != values.end();
 }
 
-void AddNote(const std::string& mask, const std::string& lack, std::vector<Fault>& faults) {
-  faults.push_back({.path = mask,
-                    .reason = lack + ": training draws nothing from the picture",
-                    .gravity = Gravity::kNote});
-}
-
 PictureFindings Examine(const LabelledImageSet& set, std::size_t index) {
   PictureFindings findings;
   std::vector<Fault>& faults = findings.faults;
@@ -33,8 +28,7 @@ PictureFindings Examine(const LabelledImageSet& set, std::size_t index) {
   LabelledPicture picture;
   CollectFaults(set.root, faults, [&] {
     picture = ReadLabelledPicture(set, index);
-    if (!Has(picture.mask, kMaskGood)) AddNote(item.mask, "no good pixel (255)", faults);
-    if (!Has(picture.mask, kMaskBad)) AddNote(item.mask, "no bad pixel (0)", faults);
+    faults = NotesOnMask(item.mask, picture.mask);
     findings.image_digest = FileDigest(set.root / item.image);
   });
   for (const std::string_view column : kCompanions) {
@@ -47,6 +41,18 @@ PictureFindings Examine(const LabelledImageSet& set, std::size_t index) {
 }
 
 }  // namespace
+
+std::vector<Fault> NotesOnMask(const std::string& path, const Image& mask) {
+  std::vector<Fault> notes;
+  for (const auto& [value, lack] :
+       {std::pair(kMaskGood, "no good pixel (255)"), std::pair(kMaskBad, "no bad pixel (0)")}) {
+    if (Has(mask, value)) continue;
+    notes.push_back({.path = path,
+                     .reason = std::string(lack) + ": training draws nothing from the picture",
+                     .gravity = Gravity::kNote});
+  }
+  return notes;
+}
 
 std::vector<Fault> FindFaults(const LabelledImageSet& set,
                               int num_threads,

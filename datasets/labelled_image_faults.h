@@ -3,13 +3,18 @@
 
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "datasets/formats/fault.h"
 #include "datasets/formats/labelled_image_set.h"
+#include "lib/core/image.h"
 #include "lib/core/progress.h"
 
 namespace handcraft::datasets {
+
+/// What is worth knowing about a label mask: that it has no good or no bad pixel.
+[[nodiscard]] std::vector<Fault> NotesOnMask(const std::string& path, const Image& mask);
 
 /// What `handcraft data check` prints: opens every file of a labelled image set and names each
 /// fault, in the order of the manifest; nothing when all is well. Pictures that cannot be read;

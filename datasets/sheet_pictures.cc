@@ -9,23 +9,25 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "datasets/close_up.h"
+#include "datasets/formats/mask_picture.h"
 #include "lib/core/check.h"
 #include "lib/perception/overlay.h"
 
 namespace handcraft::datasets {
 namespace {
 
+namespace fs = std::filesystem;
+using perception::PixelBox;
+
 Image InColour(const Image& image) {
   return perception::DrawLabelMask(image, Image(image.width(), image.height()));
-}
-
-std::string CaptionOf(const std::string& image) {
-  return std::filesystem::path(image).stem().string();
 }
 
 // Depth of each point along the optical axis [m]; NaN where there is none.
@@ -57,42 +59,69 @@ Range RangeOf(const std::vector<float>& depths, const Image* object_mask) {
   return range;
 }
 
-}  // namespace
+// All of a picture where there is nothing to go near to.
+PixelBox CloseUpOrAll(const std::optional<PixelBox>& object, const Image& image) {
+  if (!object) return {.u_px = 0, .v_px = 0, .width = image.width(), .height = image.height()};
+  return CloseUpOf(*object, image.width(), image.height());
+}
 
-std::vector<SheetPicture> SheetPicturesOf(const LabelledImageSet& set) {
+// The box of what a labelled picture shows.
+std::optional<PixelBox> ObjectBox(const LabelledImageSet& set,
+                                  std::size_t index,
+                                  const LabelledPicture& picture) {
+  const std::string object_mask = set.items[index].Companion(kObjectMask);
+  if (object_mask.empty()) return FindBox(picture.mask, kMaskGood);
+  const fs::path path = set.root / object_mask;
+  const Image object = ReadObjectMask(path);
+  RequireSameSize(path, "the object_mask", SizeOf(object), SizeOf(picture.image));
+  return FindBox(object, kObject);
+}
+
+std::vector<Image> DrawPicture(const LabelledImageSet& set, std::size_t index, Framing framing) {
+  const LabelledPicture picture = ReadLabelledPicture(set, index);
+  if (framing == Framing::kWhole) {
+    return {InColour(picture.image), perception::DrawLabelMask(picture.image, picture.mask)};
+  }
+  const PixelBox box = CloseUpOrAll(ObjectBox(set, index, picture), picture.image);
+  const Image part = CutOut(picture.image, box);
+  return {InColour(picture.image),
+          InColour(part),
+          perception::DrawLabelMask(part, CutOut(picture.mask, box))};
+}
+
+std::vector<Image> DrawView(const ViewSet& set, std::size_t index, Framing framing) {
+  const LoadedView view = ReadView(set, index);
+  const Image depths = view.cloud ? DrawDepths(*view.cloud, view.object_mask)
+                                  : Image(view.image.width(), view.image.height(), 3);
+  const PixelBox box = CloseUpOrAll(
+      framing == Framing::kWhole ? std::nullopt : FindBox(view.object_mask, kObject), view.image);
+  return {InColour(view.image),
+          CutOut(depths, box),
+          perception::DrawLabelMask(CutOut(view.image, box), CutOut(view.object_mask, box))};
+}
+
+// `draw` draws the picture of a number in a framing.
+template <class Set, class Draw>
+std::vector<SheetPicture> SheetPicturesBy(const Set& set, Framing framing, const Draw& draw) {
   std::vector<SheetPicture> pictures;
+  pictures.reserve(set.items.size());
   for (std::size_t i = 0; i < set.items.size(); ++i) {
-    const LabelledImage& item = set.items[i];
-    pictures.push_back({.row = item.object_class,
-                        .split = item.split,
-                        .caption = CaptionOf(item.image),
-                        .draw = [&set, i] {
-                          const LabelledPicture picture = ReadLabelledPicture(set, i);
-                          return std::vector<Image>{
-                              InColour(picture.image),
-                              perception::DrawLabelMask(picture.image, picture.mask)};
-                        }});
+    pictures.push_back({.row = set.items[i].object_class,
+                        .split = set.items[i].split,
+                        .caption = fs::path(set.items[i].image).stem().string(),
+                        .draw = [&set, i, framing, draw] { return draw(set, i, framing); }});
   }
   return pictures;
 }
 
-std::vector<SheetPicture> SheetPicturesOf(const ViewSet& set) {
-  std::vector<SheetPicture> pictures;
-  for (std::size_t i = 0; i < set.items.size(); ++i) {
-    const ObjectView& item = set.items[i];
-    pictures.push_back({.row = item.object_class,
-                        .split = item.split,
-                        .caption = CaptionOf(item.image),
-                        .draw = [&set, i] {
-                          const LoadedView view = ReadView(set, i);
-                          return std::vector<Image>{
-                              InColour(view.image),
-                              view.cloud ? DrawDepths(*view.cloud, view.object_mask)
-                                         : Image(view.image.width(), view.image.height(), 3),
-                              perception::DrawLabelMask(view.image, view.object_mask)};
-                        }});
-  }
-  return pictures;
+}  // namespace
+
+std::vector<SheetPicture> SheetPicturesOf(const LabelledImageSet& set, Framing framing) {
+  return SheetPicturesBy(set, framing, DrawPicture);
+}
+
+std::vector<SheetPicture> SheetPicturesOf(const ViewSet& set, Framing framing) {
+  return SheetPicturesBy(set, framing, DrawView);
 }
 
 Image DrawDepths(const OrganisedCloud& cloud, const Image& object_mask) {

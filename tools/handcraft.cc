@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -133,6 +134,9 @@ int ParseAndRun(CLI::App& app, std::span<const char* const> args, const Console&
     return ReportParseError(app, error, console);
   } catch (const Error& error) {
     return ReportError(app, error, console);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return ReportError(
+        app, Error({.path = error.path1().string(), .reason = error.code().message()}), console);
   } catch (const std::bad_alloc&) {
     console.err << "handcraft: error: out of memory (use fewer samples, features or pictures)\n";
     return ExitCode(Error::Kind::kBadInput);

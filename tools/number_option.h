@@ -22,7 +22,8 @@ namespace handcraft::tools {
 /// The rule in the message of an options struct's Validate(): what follows "must be".
 [[nodiscard]] std::string RuleOf(const Error& refusal);
 
-/// Reads all of `text` as a decimal number. Returns what it must be if it is no such number.
+/// Reads all of `text` as a decimal number. Returns what it must be if it is no such number; a
+/// whole number that is too large for the type gives the type's nearest.
 template <class T>
 [[nodiscard]] std::string ReadNumber(const std::string& text, T& value) {
   const char* const end = text.data() + text.size();
@@ -30,6 +31,7 @@ template <class T>
   if (stop == end && code == std::errc()) return "";
   if (stop == end && code == std::errc::result_out_of_range) {
     using Limits = std::numeric_limits<T>;
+    if constexpr (std::integral<T>) value = text.front() == '-' ? Limits::lowest() : Limits::max();
     return "from " + NumberToText(Limits::lowest()) + " to " + NumberToText(Limits::max());
   }
   if constexpr (std::unsigned_integral<T>) {
@@ -47,8 +49,9 @@ template <class T, std::invocable<T> RuleAgainst>
   const auto check = [rule_against](std::string& text) -> std::string {
     T value{};
     const std::string misread = ReadNumber(text, value);
-    const bool near_zero = misread.empty() || misread == "0 or more";
-    std::string rule = near_zero ? rule_against(value) : misread;
+    const bool is_too_large = std::integral<T> && misread.starts_with("from ");
+    const bool has_value = misread.empty() || misread == "0 or more" || is_too_large;
+    std::string rule = has_value ? rule_against(value) : misread;
     if (rule.empty()) rule = misread;
     if (!rule.empty()) return text + " given; it must be " + rule;
     text = NumberToText(value);

@@ -3,6 +3,7 @@
 
 #include "tools/search_input.h"
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -104,6 +105,28 @@ CLI::Validator Within(double low, double high, const char* rule) {
       [=](double value) -> std::string { return value > low && value <= high ? "" : rule; });
 }
 
+[[noreturn]] void RefuseOptions(const std::string& reason) {
+  throw Error({.kind = Error::Kind::kUsage, .reason = reason});
+}
+
+// The options of the table go with depth, and upwards is a direction.
+void RequireTableFits(const SearchInput& input) {
+  if (!input.IsGiven()) {
+    const std::string rule = " needs --cloud, --depth or --right";
+    if (!input.up.empty()) RefuseOptions("--up" + rule);
+    if (input.up_angle_deg) RefuseOptions("--up-angle" + rule);
+    if (input.table_distance_m) RefuseOptions("--table-distance" + rule);
+    return;
+  }
+  const perception::SearchRegionOptions options = RegionOptions(input);
+  const Eigen::Vector3f& up = options.table.up;
+  if (!std::isfinite(up.norm()) || up.norm() <= 0.0F) {
+    RefuseOptions(fmt::format(
+        "--up is {} {} {}; it must be of a finite length above 0", up.x(), up.y(), up.z()));
+  }
+  options.Validate();
+}
+
 // Where depth comes from.
 void AddDepthSources(CLI::App& command, SearchInput& input) {
   AddFile(command,
@@ -152,40 +175,38 @@ void AddSearchOptions(CLI::App& command, SearchInput& input) {
       ->type_name("X Y Z")
       ->expected(3)
       ->group(kPictureGroup);
-  AddNumber(command,
-            "--up-angle",
-            input.up_angle_deg,
-            Within(0.0, 90.0, "above 0 and at most 90"),
-            "A table's normal is at most so far from upwards [deg]")
+  command
+      .add_option("--up-angle",
+                  input.up_angle_deg,
+                  "A table's normal is at most so far from upwards [deg]; without: 10")
+      ->transform(Within(0.0, 90.0, "above 0 and at most 90"))
+      ->type_name("NUMBER")
       ->group(kPictureGroup);
-  AddNumber(command,
-            "--table-distance",
-            input.table_distance_m,
-            Within(0.0, 1.0, "above 0 and at most 1"),
-            "Points nearer to the table belong to it [m]")
+  command
+      .add_option("--table-distance",
+                  input.table_distance_m,
+                  "Points nearer to the table belong to it [m]; without: 0.01")
+      ->transform(Within(0.0, 1.0, "above 0 and at most 1"))
+      ->type_name("NUMBER")
       ->group(kPictureGroup);
 }
 
 void RequireSearchFits(const SearchInput& input, std::size_t num_inputs) {
-  const auto refuse = [](const std::string& reason) {
-    throw Error({.kind = Error::Kind::kUsage, .reason = reason});
-  };
   const int num_sources =
       (input.cloud.empty() ? 0 : 1) + (input.depth.empty() ? 0 : 1) + (input.right.empty() ? 0 : 1);
-  if (num_sources > 1) refuse("--cloud, --depth and --right exclude each other");
+  if (num_sources > 1) RefuseOptions("--cloud, --depth and --right exclude each other");
   if (num_sources == 1 && num_inputs != 1) {
-    refuse("--cloud, --depth and --right belong to one picture; give one INPUT");
+    RefuseOptions("--cloud, --depth and --right belong to one picture; give one INPUT");
   }
   const bool needs_camera = !input.depth.empty() || !input.right.empty();
-  if (needs_camera && input.camera.empty()) refuse("--depth and --right need --camera");
+  if (needs_camera && input.camera.empty()) RefuseOptions("--depth and --right need --camera");
   if (!needs_camera && !input.camera.empty())
-    refuse("--camera is read by --depth and --right alone");
-  if (input.cloud.empty() && input.cloud_unit_m) refuse("--cloud-unit needs --cloud");
+    RefuseOptions("--camera is read by --depth and --right alone");
+  if (input.cloud.empty() && input.cloud_unit_m) RefuseOptions("--cloud-unit needs --cloud");
   if (input.right.empty() && input.stereo_method != SearchInput::kSemiGlobal) {
-    refuse("--stereo-method needs --right");
+    RefuseOptions("--stereo-method needs --right");
   }
-  if (num_sources == 0 && !input.up.empty()) refuse("--up needs --cloud, --depth or --right");
-  if (num_sources == 1) RegionOptions(input).Validate();
+  RequireTableFits(input);
 }
 
 OrganisedCloud CloudFor(const SearchInput& input, const Image& image) {
@@ -202,8 +223,9 @@ perception::SearchRegionOptions RegionOptions(const SearchInput& input) {
   } else if (input.cloud.empty()) {
     options.table.up = {0.0F, -1.0F, 0.0F};
   }
-  options.table.max_angle_rad = static_cast<float>(input.up_angle_deg * std::numbers::pi / 180.0);
-  options.table.epsilon_m = static_cast<float>(input.table_distance_m);
+  options.table.max_angle_rad =
+      static_cast<float>(input.up_angle_deg.value_or(10.0) * std::numbers::pi / 180.0);
+  options.table.epsilon_m = static_cast<float>(input.table_distance_m.value_or(0.01));
   return options;
 }
 

@@ -28,8 +28,8 @@ struct SearchInput {
   std::string stereo_method = kSemiGlobal;
   /// Empty: (0, 0, 1) for a cloud, (0, −1, 0) in a camera's optical frame.
   std::vector<float> up = {};
-  double up_angle_deg = 10.0;
-  double table_distance_m = 0.01;
+  std::optional<double> up_angle_deg = {};      ///< nothing: 10
+  std::optional<double> table_distance_m = {};  ///< nothing: 0.01
 
   static constexpr const char* kSemiGlobal = "semi-global";
   static constexpr const char* kBlock = "block";

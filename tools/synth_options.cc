@@ -80,6 +80,13 @@ std::string TellWritten(const synthetic::Written& written,
   if (written.num_pictures == num_pictures) {
     return fmt::format("Wrote {} to {}\n", contents, folder);
   }
+  if (written.num_pictures == 0) {
+    return fmt::format(
+        "Completed {}, {}: all pictures were there; a list of them was missing or told something "
+        "else, and was written again\n",
+        folder,
+        contents);
+  }
   return fmt::format("Completed {}, {}: {} of the {} pictures were there\n",
                      folder,
                      contents,

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "lib/core/utf8.h"
+
 namespace handcraft::tools {
 namespace {
 
@@ -28,7 +30,10 @@ TextTable::TextTable(std::vector<std::string> head) : has_head_(!head.empty()) {
   if (has_head_) rows_.push_back(std::move(head));
 }
 
-void TextTable::AddRow(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+void TextTable::AddRow(std::vector<std::string> cells) {
+  for (std::string& cell : cells) cell = OnOneLine(cell);
+  rows_.push_back(std::move(cells));
+}
 
 std::string TextTable::ToText() const {
   std::vector<std::size_t> widths;

@@ -15,6 +15,7 @@ class TextTable {
   /// A table without head when `head` is empty.
   explicit TextTable(std::vector<std::string> head = {});
 
+  /// Control characters in a cell are written as OnOneLine does.
   void AddRow(std::vector<std::string> cells);
 
   /// The lines, each ended by a newline, no blanks at their ends.

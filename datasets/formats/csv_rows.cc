@@ -29,7 +29,9 @@ CsvRows::CsvRows(std::filesystem::path path,
     : records_(std::move(path)), columns_(columns), optional_columns_(optional_columns) {
   records_.RequireUtf8();
   if (!records_.Next(fields_)) {
-    throw Error({.path = records_.path().string(), .reason = "the file is empty"});
+    throw Error({.path = records_.path().string(),
+                 .reason = "the file is empty",
+                 .remedy = "its first line names the columns; see docs/datasets.md"});
   }
   num_fields_ = fields_.size();
   for (const std::string_view column : columns) {
@@ -61,7 +63,8 @@ bool CsvRows::Next() {
   if (!records_.Next(fields_)) return false;
   if (fields_.size() != num_fields_) {
     Fail(std::to_string(fields_.size()) + " fields; the first line has " +
-         std::to_string(num_fields_));
+             std::to_string(num_fields_),
+         "fill in what is missing; a field that holds a comma stands in quotes");
   }
   return true;
 }
@@ -73,7 +76,7 @@ std::string_view CsvRows::Text(std::size_t column) const {
 
 std::string_view CsvRows::Required(std::size_t column) const {
   const std::string_view text = Text(column);
-  if (text.empty()) Fail("no " + std::string(Name(column)) + " given");
+  if (text.empty()) Fail("no " + std::string(Name(column)) + " given", "fill in the column");
   return text;
 }
 

@@ -67,7 +67,8 @@ LabelledImage ReadRow(const CsvRecords& records,
       if (!fields[i].empty() && !header[i].empty()) item.others.emplace(header[i], fields[i]);
       continue;
     }
-    if (fields[i].empty() && !column->may_be_empty) records.Fail("no " + header[i] + " given");
+    if (fields[i].empty() && !column->may_be_empty)
+      records.Fail("no " + header[i] + " given", "fill in the column");
     item.*column->field = std::string(fields[i]);
   }
   CheckLiesInFolder(records, "image", item.image);
@@ -120,8 +121,12 @@ LabelledImageSet ReadLabelledImageSet(const fs::path& root) {
   const fs::path path = root / kManifestFileName;
   RequireList(root, kManifestFileName, "a labelled image set");
   CsvRecords records(path);
+  records.RequireUtf8();
   std::vector<std::string_view> fields;
-  if (!records.Next(fields)) throw Error({.path = path.string(), .reason = "the file is empty"});
+  if (!records.Next(fields))
+    throw Error({.path = path.string(),
+                 .reason = "the file is empty",
+                 .remedy = "its first line names the columns; see docs/datasets.md"});
   const std::vector<std::string> header = ReadHeader(records, fields);
 
   LabelledImageSet set{.root = root, .items = {}};
@@ -129,13 +134,17 @@ LabelledImageSet ReadLabelledImageSet(const fs::path& root) {
   while (records.Next(fields)) {
     if (fields.size() != header.size()) {
       records.Fail(std::to_string(fields.size()) + " fields; the first line has " +
-                   std::to_string(header.size()));
+                       std::to_string(header.size()),
+                   "fill in what is missing; a field that holds a comma stands in quotes");
     }
     set.items.push_back(ReadRow(records, header, fields));
     const LabelledImage& item = set.items.back();
     seen.Check(records, item.image, item.instance, item.split);
   }
-  if (set.items.empty()) throw Error({.path = path.string(), .reason = "no image is listed"});
+  if (set.items.empty())
+    throw Error({.path = path.string(),
+                 .reason = "no image is listed",
+                 .remedy = "add a row for each picture; see docs/datasets.md"});
   return set;
 }
 

@@ -15,6 +15,7 @@
 
 #include "datasets/formats/npy_header.h"
 #include "lib/core/file.h"
+#include "lib/core/path_kind.h"
 
 namespace handcraft::datasets {
 namespace {
@@ -85,6 +86,7 @@ void WriteMatrix(const std::filesystem::path& path,
 }  // namespace
 
 bool IsNpy(const std::filesystem::path& path) {
+  if (KindOf(path) != PathKind::kFile) return false;  // a pipe would be waited for
   std::array<char, kNpyMagic.size()> first{};
   std::ifstream stream(path, std::ios::binary);
   stream.read(first.data(), first.size());

@@ -20,7 +20,9 @@ void CheckSignature(const NpyFile& file) {
     return;
   }
   const bool is_zip = file.bytes.size() >= 2 && file.bytes[0] == 'P' && file.bytes[1] == 'K';
-  file.Fail(0, "not an NPY file", is_zip ? "it is a zip archive (.npz): unpack it first" : "");
+  file.Fail(0,
+            "not an NPY file",
+            is_zip ? "it is a zip archive (.npz): unpack it first" : "give what numpy.save writes");
 }
 
 // What stands behind 'key': in the header, a Python dictionary as text.

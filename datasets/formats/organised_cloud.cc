@@ -255,6 +255,7 @@ std::vector<Eigen::Vector3f> PutAtPixels(const File& file,
 OrganisedCloud ReadPcd(const std::filesystem::path& path) {
   const std::vector<std::uint8_t> bytes = ReadFile(path);
   const File file{path, bytes, ReadPcdHeader(path, bytes)};
+  if (file.header.num_points() == 0) throw Error({.path = path.string(), .reason = "no points"});
   return {.width = file.header.width,
           .height = file.header.height,
           .points = ReadPoints(file, file.header.unit_m).points,
@@ -272,12 +273,13 @@ OrganisedCloud ReadCloudOfPicture(const std::filesystem::path& path,
                        .points = {},
                        .base_from_camera = header.viewpoint};
   const PixelSize size = {header.width, header.height};
-  if (header.height > 1 || size == picture_size) {
+  const bool has_points = header.num_points() > 0;
+  if (has_points && (header.height > 1 || size == picture_size)) {
     RequireSameSize(path, "the cloud", size, picture_size);
     cloud.points = ReadPoints(file, unit_m.value_or(header.unit_m)).points;
     return cloud;
   }
-  if (!header.index) {
+  if (has_points && !header.index) {
     throw Error(
         {.path = path.string(),
          .reason = "an unorganised cloud (HEIGHT 1) without a field 'index' of four bytes: "

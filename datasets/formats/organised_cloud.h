@@ -36,15 +36,16 @@ using perception::IsMeasured;
 /// Reads a PCD file (docs/datasets.md) as it is: version 0.7; ascii, binary or binary_compressed;
 /// x, y and z as four-byte floats among other fields, which are skipped. A point with a coordinate
 /// that is NaN or infinite becomes NaN in all three. Throws Error with the line or byte: a header
-/// that ReadPcdHeader refuses, fewer or more data than the points take, text that is no number, a
-/// damaged compressed stream. Up to a memory page of bytes behind the data is passed over: older
-/// versions of the Point Cloud Library leave it there. Takes no more memory than the length of the
-/// file can account for.
+/// that ReadPcdHeader refuses, no points, fewer or more data than the points take, text that is no
+/// number, a damaged compressed stream. Up to a memory page of bytes behind the data is passed
+/// over: older versions of the Point Cloud Library leave it there. Takes no more memory than the
+/// length of the file can account for.
 [[nodiscard]] OrganisedCloud ReadPcd(const std::filesystem::path& path);
 
 /// Reads a PCD file as the cloud of a picture, whatever the file's name: organised, of the
 /// picture's size, or indexed: HEIGHT 1 and a field `index`, row · width + column of the pixel that
-/// a point belongs to. Pixels that no point names are NaN. Coordinates are multiplied by `unit_m`;
+/// a point belongs to. Pixels that no point names are NaN: all, of a cloud without
+/// points. Coordinates are multiplied by `unit_m`;
 /// nothing: the unit of the header (PcdHeader.unit_m). Throws Error with the path as ReadPcd does,
 /// and: another size, an unorganised cloud without `index`, an index that is no pixel of the
 /// picture, or twice there.

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "lib/core/error.h"
 
 namespace handcraft::datasets {
@@ -120,24 +122,24 @@ class HeaderReader {
          "convert it with a program of the Point Cloud Library");
   }
 
-  // A whole number from 1 to `most`.
+  // A whole number from `least` to `most`.
   [[nodiscard]] std::size_t ReadCount(const Entry& entry,
                                       std::size_t index,
                                       std::string_view what,
-                                      std::size_t most) const {
+                                      std::size_t most,
+                                      std::size_t least = 1) const {
     const std::string_view text = entry.values[index];
     std::size_t value = 0;
     const auto [stop, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (code != std::errc() || stop != text.data() + text.size() || value < 1 || value > most) {
+    if (code != std::errc() || stop != text.data() + text.size() || value < least || value > most) {
       Fail(entry.line,
-           std::string(what) + " " + std::string(text) + "; a number from 1 to " +
-               std::to_string(most) + " is due");
+           fmt::format("{} {}; a number from {} to {} is due", what, text, least, most));
     }
     return value;
   }
 
   [[nodiscard]] int ReadSide(std::string_view key) const {
-    return static_cast<int>(ReadCount(Need(key, 1), 0, key, kMaxPoints));
+    return static_cast<int>(ReadCount(Need(key, 1), 0, key, kMaxPoints, 0));
   }
 
   void ReadFields(PcdHeader& header) const {
@@ -177,7 +179,7 @@ class HeaderReader {
       Fail(Need("HEIGHT", 1).line, "more than " + std::to_string(kMaxPoints) + " points");
     }
     const Entry& points = Need("POINTS", 1);
-    if (ReadCount(points, 0, "POINTS", kMaxPoints) != header.num_points()) {
+    if (ReadCount(points, 0, "POINTS", kMaxPoints, 0) != header.num_points()) {
       Fail(points.line,
            "POINTS " + std::string(points.values[0]) + "; WIDTH times HEIGHT is " +
                std::to_string(header.num_points()));

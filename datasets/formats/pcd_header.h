@@ -48,12 +48,12 @@ struct PcdHeader {
 /// Reads the header of a PCD file, version 0.7: lines that begin with VERSION, FIELDS, SIZE, TYPE,
 /// COUNT, WIDTH, HEIGHT, VIEWPOINT, POINTS and DATA, each at most once, DATA last; only COUNT and
 /// VIEWPOINT may be missing; lines that begin with # are skipped; lines end with LF or CRLF. x, y
-/// and z must be there, floats of four bytes, one each. At most 2²⁸ points, 64 fields and 65536
-/// bytes a point. The files of the Cornell data, whose fields are x y z rgb index, have no line
-/// VERSION: it may be missing there, and then the unit is the millimetre. Throws Error with the
-/// line and what was found. Takes no memory for points. Source: "The PCD (Point Cloud Data) file
-/// format", Point Cloud Library; the description that comes with the data of Y. Jiang, S. Moseson,
-/// A. Saxena, "Efficient grasping from RGBD images", 2011.
+/// and z must be there, floats of four bytes, one each. No points to 2²⁸, at most 64 fields and
+/// 65536 bytes a point. The files of the Cornell data, whose fields are x y z rgb index, have no
+/// line VERSION: it may be missing there, and then the unit is the millimetre. Throws Error with
+/// the line and what was found. Takes no memory for points. Source: "The PCD (Point Cloud Data)
+/// file format", Point Cloud Library; the description that comes with the data of Y. Jiang, S.
+/// Moseson, A. Saxena, "Efficient grasping from RGBD images", 2011.
 [[nodiscard]] PcdHeader ReadPcdHeader(const std::filesystem::path& path,
                                       std::span<const std::uint8_t> bytes);
 

@@ -52,16 +52,16 @@ class SceneTable {
 
  private:
   [[noreturn]] void Fail(const toml::node& at, std::string reason) const {
-    throw Error(
-        {.path = path_.string(), .line = at.source().begin.line, .reason = std::move(reason)});
+    throw Error({.path = path_.string(),
+                 .line = at.source().begin.line,
+                 .reason = std::move(reason),
+                 .remedy = "see docs/datasets.md, Scene"});
   }
 
   [[nodiscard]] const toml::node& Need(const std::string& key) const {
     const toml::node* const node = table_.get(key);
     if (node != nullptr) return *node;
-    throw Error({.path = path_.string(),
-                 .reason = "no " + key + name_,
-                 .remedy = "see docs/datasets.md, Scene"});
+    Fail(table_, "no " + key + name_);
   }
 
   [[nodiscard]] std::vector<double> Numbers(const std::string& key, std::size_t count) const {

@@ -88,7 +88,10 @@ ViewSet ReadViewSet(const fs::path& root) {
     const ObjectView& view = set.items.back();
     seen.Check(rows.records(), view.image, view.instance, view.split);
   }
-  if (set.items.empty()) throw Error({.path = path.string(), .reason = "no view is listed"});
+  if (set.items.empty())
+    throw Error({.path = path.string(),
+                 .reason = "no view is listed",
+                 .remedy = "add a row for each view; see docs/datasets.md"});
   return set;
 }
 

@@ -16,6 +16,7 @@
 
 #include <Eigen/Geometry>
 
+#include "datasets/close_up.h"
 #include "datasets/formats/json_value.h"
 #include "datasets/formats/mask_picture.h"
 #include "datasets/formats/view_set.h"
@@ -30,6 +31,7 @@ namespace handcraft::datasets {
 namespace {
 
 namespace fs = std::filesystem;
+using perception::PixelBox;
 
 constexpr double kMillimetre_m = 0.001;
 
@@ -45,10 +47,6 @@ struct BopView {
   BopCamera camera;
   Eigen::Isometry3d base_from_camera = Eigen::Isometry3d::Identity();
   int margin_px = 0;
-};
-
-struct Crop {
-  int u = 0, v = 0, width = 0, height = 0;
 };
 
 std::string SixDigits(std::int64_t number) {
@@ -126,7 +124,7 @@ std::pair<Eigen::Isometry3d, std::optional<double>> PlaceBase(
 }
 
 // What is seen, with the margin around it as far as the picture goes.
-Crop CropOf(const Image& mask, const BopView& view) {
+PixelBox CropOf(const Image& mask, const BopView& view) {
   int left = mask.width(), right = -1, top = mask.height(), bottom = -1;
   for (int v = 0; v < mask.height(); ++v) {
     for (int u = 0; u < mask.width(); ++u) {
@@ -144,17 +142,7 @@ Crop CropOf(const Image& mask, const BopView& view) {
   top = std::max(top - view.margin_px, 0);
   right = std::min(right + view.margin_px, mask.width() - 1);
   bottom = std::min(bottom + view.margin_px, mask.height() - 1);
-  return {.u = left, .v = top, .width = right - left + 1, .height = bottom - top + 1};
-}
-
-template <class T>
-BasicImage<T> CutOut(const BasicImage<T>& image, const Crop& crop) {
-  BasicImage<T> part(crop.width, crop.height, image.channels());
-  for (int v = 0; v < crop.height; ++v) {
-    const T* const row = image.Row(crop.v + v) + crop.u * image.channels();
-    std::copy_n(row, crop.width * image.channels(), part.Row(v));
-  }
-  return part;
+  return {.u_px = left, .v_px = top, .width = right - left + 1, .height = bottom - top + 1};
 }
 
 Image MakeImage(const BopView& view) {
@@ -179,10 +167,10 @@ OrganisedCloud MakeCloud(const BopView& view) {
   const BasicImage<std::uint16_t> depth = perception::ReadImage16(view.depth);
   RequireSameSize(
       view.depth, "the depth", {depth.width(), depth.height()}, {mask.width(), mask.height()});
-  const Crop crop = CropOf(mask, view);
+  const PixelBox crop = CropOf(mask, view);
   Pinhole camera = view.camera.pinhole;
-  camera.cx_px -= crop.u;
-  camera.cy_px -= crop.v;
+  camera.cx_px -= crop.u_px;
+  camera.cy_px -= crop.v_px;
   return CloudOfDepth(CutOut(depth, crop), view.camera.depth_unit_m, camera, view.base_from_camera);
 }
 

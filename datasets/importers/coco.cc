@@ -149,16 +149,20 @@ void ReadAnnotations(const JsonValue& list,
 
 SourcePicture Describe(const fs::path& file, const fs::path& folder, CocoImage image) {
   const fs::path name = FindNamedFile(folder, image.name, file);
-  return {
-      .path = folder / name,
-      .image = name.generic_string(),
-      .mask = fs::path(name).replace_extension(".png").generic_string(),
-      .object_class = ClassOfPath(name),
-      .instance = fs::path(name).replace_extension().generic_string(),
-      .make_mask = [file, path = folder / name, image = std::move(image)](int width, int height) {
-        RequireSameSize(path, "the labelled picture", image.size, {width, height});
-        return DrawLabelledShapes(file, width, height, image.shapes);
-      }};
+  const auto find_notes = [file, shapes = image.shapes](int width, int height) {
+    return NotesOnShapes(file, width, height, shapes);
+  };
+  return {.path = folder / name,
+          .image = name.generic_string(),
+          .mask = fs::path(name).replace_extension(".png").generic_string(),
+          .object_class = ClassOfPath(name),
+          .instance = fs::path(name).replace_extension().generic_string(),
+          .make_mask =
+              [file, path = folder / name, image = std::move(image)](int width, int height) {
+                RequireSameSize(path, "the labelled picture", image.size, {width, height});
+                return DrawLabelledShapes(file, width, height, image.shapes);
+              },
+          .find_notes = find_notes};
 }
 
 }  // namespace

@@ -167,16 +167,21 @@ SourcePicture ReadPicture(const XmlElement& image,
     if (value) shapes.push_back(ReadShape(shape, size, *value));
   }
   const fs::path name = FindPicture(image, folder, file);
-  return {.path = folder / name,
-          .image = name.generic_string(),
-          .mask = fs::path(name).replace_extension(".png").generic_string(),
-          .object_class = ClassOfPath(name),
-          .instance = fs::path(name).replace_extension().generic_string(),
-          .make_mask = [file, path = folder / name, size, shapes = std::move(shapes)](int width,
-                                                                                      int height) {
+  const auto find_notes = [file, shapes](int width, int height) {
+    return NotesOnShapes(file, width, height, shapes);
+  };
+  return {
+      .path = folder / name,
+      .image = name.generic_string(),
+      .mask = fs::path(name).replace_extension(".png").generic_string(),
+      .object_class = ClassOfPath(name),
+      .instance = fs::path(name).replace_extension().generic_string(),
+      .make_mask =
+          [file, path = folder / name, size, shapes = std::move(shapes)](int width, int height) {
             RequireSameSize(path, "the labelled picture", size, {width, height});
             return DrawLabelledShapes(file, width, height, shapes);
-          }};
+          },
+      .find_notes = find_notes};
 }
 
 // The labels of the task, project or job that was exported.

@@ -3,13 +3,17 @@
 
 #include "datasets/importers/image_set_import.h"
 
+#include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "datasets/formats/mask_picture.h"
 #include "datasets/importers/import_plan.h"
 #include "datasets/importers/rectangle_list.h"
 #include "datasets/importers/source_tree.h"
 #include "datasets/importers/staging_folder.h"
+#include "datasets/labelled_image_faults.h"
 #include "datasets/parallel_reporting.h"
 #include "lib/perception/image_io.h"
 
@@ -29,13 +33,21 @@ LabelledImage Describe(const SourcePicture& picture, const std::string& licence)
   return item;
 }
 
-void WritePicture(const SourcePicture& picture, const LabelledImage& item, const fs::path& root) {
+// Returns what is worth knowing about its labels.
+std::vector<Fault> WritePicture(const SourcePicture& picture,
+                                const LabelledImage& item,
+                                const fs::path& root) {
   const Image image = CopyPicture(picture, root / item.image);
   const PixelSize size = {image.width(), image.height()};
   const Image mask = picture.make_mask(image.width(), image.height());
   RequireSameSize(picture.path, "the mask", {mask.width(), mask.height()}, size);
   perception::WritePng(root / item.mask, mask);
   if (picture.make_cloud) WriteCloud(picture, size, root / item.Companion(kCloud));
+  std::vector<Fault> notes;
+  if (picture.find_notes) notes = picture.find_notes(image.width(), image.height());
+  const std::vector<Fault> on_mask = NotesOnMask(item.mask, mask);
+  notes.insert(notes.end(), on_mask.begin(), on_mask.end());
+  return notes;
 }
 
 // rectangles.csv, if any picture has some.
@@ -65,15 +77,20 @@ LabelledImageSet ImportPictures(SourceSet source,
     if (picture.make_cloud) files.push_back(item.Companion(kCloud));
   }
   AddFoldersOf(staging, files);
-  ParallelForReporting(pictures.size(),
-                       options.num_threads,
-                       options.progress,
-                       "importing pictures",
-                       [&](std::size_t i) { WritePicture(pictures[i], set.items[i], set.root); });
+  std::vector<std::vector<Fault>> notes(pictures.size());
+  ParallelForReporting(
+      pictures.size(),
+      options.num_threads,
+      options.progress,
+      "importing pictures",
+      [&](std::size_t i) { notes[i] = WritePicture(pictures[i], set.items[i], set.root); });
   WriteRectanglesOf(pictures, set);
   WriteManifest(set);
   staging.MoveToTarget();
   set.root = out;
+  for (const std::vector<Fault>& of_picture : notes) {
+    if (options.on_note) std::for_each(of_picture.begin(), of_picture.end(), options.on_note);
+  }
   return set;
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "datasets/formats/fault.h"
 #include "datasets/formats/labelled_image_set.h"
 #include "datasets/formats/organised_cloud.h"
 #include "datasets/importers/grasp_mask.h"
@@ -33,6 +34,8 @@ struct SourcePicture {
   std::optional<double> angle_deg = std::nullopt;
   /// Its mask, given the size of the picture. Called once, from any thread.
   std::function<Image(int width, int height)> make_mask = {};
+  /// What is worth knowing about its labels, given the size of the picture; empty: nothing.
+  std::function<std::vector<Fault>(int width, int height)> find_notes = {};
   /// The bytes of an embedded picture; empty: those of `path`.
   std::function<std::vector<std::uint8_t>()> embedded = {};
   /// A picture that is no file, such as a part of one; empty: there is a file.
@@ -60,6 +63,10 @@ struct ImportOptions {
   std::string licence = "see LICENCE";
   int num_threads = 1;
   Progress progress = {};
+  /// Told of each thing that is legal and worth knowing, in the order of the pictures, once the set
+  /// is written: a shape that covers no pixel, a mask without good or without bad ones. Paths are
+  /// the source's or, of masks, relative to `out`.
+  std::function<void(const Fault& note)> on_note = {};
 
   /// Throws Error(kUsage) naming field, value and rule.
   void Validate() const;

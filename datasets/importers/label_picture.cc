@@ -8,6 +8,7 @@
 #include <string>
 
 #include "lib/core/error.h"
+#include "lib/core/path_kind.h"
 #include "lib/perception/image_io.h"
 
 namespace handcraft::datasets {
@@ -16,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool IsJpeg(const fs::path& path) {
+  if (KindOf(path) != PathKind::kFile) return false;  // a pipe would be waited for
   std::ifstream file(path, std::ios::binary);
   std::array<char, 2> start{};
   file.read(start.data(), start.size());

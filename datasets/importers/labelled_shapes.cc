@@ -82,23 +82,27 @@ bool Fill(Image& mask, const PixelRuns& runs, std::uint8_t value) {
   HC_CHECK(sum == num_pixels, sum, num_pixels);
   const auto height = static_cast<std::uint64_t>(mask.height());
   std::uint64_t at = 0;
+  bool has_filled = false;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const std::uint64_t end = at + runs[i];
     if (i % 2 == 0) at = end;
+    has_filled = has_filled || at < end;
     for (; at < end; ++at) {
       mask.At(static_cast<int>(at / height), static_cast<int>(at % height)) = value;
     }
   }
-  return runs.size() > 1;
+  return has_filled;
 }
 
 bool Fill(Image& mask, const PixelSpans& spans, std::uint8_t value) {
+  bool has_filled = false;
   for (const PixelSpan& span : spans) {
+    has_filled = has_filled || span.begin < span.end;
     HC_CHECK(span.row >= 0 && span.row < mask.height(), span.row);
     HC_CHECK(0 <= span.begin && span.begin <= span.end && span.end <= mask.width(), span.begin);
     std::fill(mask.Row(span.row) + span.begin, mask.Row(span.row) + span.end, value);
   }
-  return !spans.empty();
+  return has_filled;
 }
 
 // Whether the point lies more than a pixel beyond the picture's edge: as far as rounding can bring
@@ -118,10 +122,11 @@ bool ReachesOut(const Image& mask, const ShapeGeometry& geometry) {
   return circle != nullptr && LiesOutside(mask, circle->centre);
 }
 
-void Draw(const std::filesystem::path& file, const LabelledShape& shape, Image& mask) {
+// Returns whether the shape covers a pixel.
+bool Draw(const std::filesystem::path& file, const LabelledShape& shape, Image& mask) {
   const bool has_filled = std::visit(
       [&](const auto& geometry) { return Fill(mask, geometry, shape.value); }, shape.geometry);
-  if (has_filled || !ReachesOut(mask, shape.geometry)) return;
+  if (has_filled || !ReachesOut(mask, shape.geometry)) return has_filled;
   throw Error({.path = file.string(),
                .reason = shape.where + ": the shape lies outside its picture of " +
                          std::to_string(mask.width()) + "x" + std::to_string(mask.height()) +
@@ -142,6 +147,22 @@ Image DrawLabelledShapes(const std::filesystem::path& file,
     }
   }
   return mask;
+}
+
+std::vector<Fault> NotesOnShapes(const std::filesystem::path& file,
+                                 int width,
+                                 int height,
+                                 const std::vector<LabelledShape>& shapes) {
+  Image scratch(width, height);
+  std::vector<Fault> notes;
+  for (const LabelledShape& shape : shapes) {
+    if (Draw(file, shape, scratch)) continue;
+    notes.push_back({.path = file.string(),
+                     .reason = shape.where + ": the shape covers no pixel, nothing is drawn of it",
+                     .gravity = Gravity::kNote,
+                     .remedy = "draw it larger, or remove it"});
+  }
+  return notes;
 }
 
 }  // namespace handcraft::datasets

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "datasets/formats/fault.h"
 #include "lib/core/image.h"
 
 /// Shapes of annotation tools. Their coordinates [px] begin at the corner of the picture, so that
@@ -55,5 +56,12 @@ struct LabelledShape {
                                        int width,
                                        int height,
                                        const std::vector<LabelledShape>& shapes);
+
+/// Of those shapes a note each that covers the middle of no pixel, so that nothing is drawn of it:
+/// a line, a circle of radius 0, runs without an inside. Throws as DrawLabelledShapes does.
+[[nodiscard]] std::vector<Fault> NotesOnShapes(const std::filesystem::path& file,
+                                               int width,
+                                               int height,
+                                               const std::vector<LabelledShape>& shapes);
 
 }  // namespace handcraft::datasets

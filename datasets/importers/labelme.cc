@@ -133,6 +133,9 @@ SourcePicture ReadAnnotation(const fs::path& file,
     if (size) RequireSameSize(file, "the labelled picture", *size, {width, height});
     return DrawLabelledShapes(file, width, height, shapes);
   };
+  picture.find_notes = [file, shapes](int width, int height) {
+    return NotesOnShapes(file, width, height, shapes);
+  };
   return picture;
 }
 

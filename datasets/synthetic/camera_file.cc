@@ -54,13 +54,15 @@ class CameraTable {
 
   [[nodiscard]] float Number(std::string_view key) const {
     const toml::node& node = Need(key);
-    if (!node.is_number()) Fail(node, std::string(key) + " is no number");
+    if (!node.is_number())
+      Fail(node, std::string(key) + " is no number", "write one without quotes");
     return static_cast<float>(*node.value<double>());
   }
 
   [[nodiscard]] int Integer(std::string_view key) const {
     const toml::node& node = Need(key);
-    if (!node.is_integer()) Fail(node, std::string(key) + " is no whole number");
+    if (!node.is_integer())
+      Fail(node, std::string(key) + " is no whole number", "write one without quotes");
     constexpr std::int64_t kMost = std::numeric_limits<int>::max();
     return static_cast<int>(std::clamp<std::int64_t>(*node.value<std::int64_t>(), -kMost, kMost));
   }
@@ -68,7 +70,9 @@ class CameraTable {
  private:
   [[nodiscard]] const toml::node& Need(std::string_view key) const {
     const toml::node* const node = table_.get(key);
-    if (node == nullptr) Fail(table_, "no " + std::string(key) + " in [camera]");
+    if (node == nullptr) {
+      Fail(table_, "no " + std::string(key) + " in [camera]", "add it; see docs/synthetic_data.md");
+    }
     return *node;
   }
 

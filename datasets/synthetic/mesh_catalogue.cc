@@ -115,16 +115,20 @@ class Entry {
     const float least = NumberOf((*range)[0], std::string(key));
     const float greatest = NumberOf((*range)[1], std::string(key));
     if (least <= 0.0F || least > greatest || greatest > 10.0F) {
-      Fail(Node(key), std::string(key) + " must rise from above 0 to at most 10");
+      Fail(Node(key),
+           std::string(key) + " does not rise from above 0 to at most 10",
+           "write the smaller factor first: [0.9, 1.1]");
     }
     return {least, greatest};
   }
 
-  [[nodiscard]] fs::path Path(std::string_view key) const { return PathOf(Node(key)); }
+  [[nodiscard]] fs::path Path(std::string_view key) const {
+    return PathOf(Node(key), std::string(key));
+  }
 
   [[nodiscard]] std::vector<fs::path> Paths(std::string_view key) const {
     std::vector<fs::path> paths;
-    for (const toml::node& node : List(key)) paths.push_back(PathOf(node));
+    for (const toml::node& node : List(key)) paths.push_back(PathOf(node, std::string(key)));
     return paths;
   }
 
@@ -136,7 +140,11 @@ class Entry {
 
   [[nodiscard]] const toml::node& Node(std::string_view key) const {
     const toml::node* const node = table_.get(key);
-    if (node == nullptr) Fail(table_, "a mesh has no \"" + std::string(key) + "\"");
+    if (node == nullptr) {
+      Fail(table_,
+           "a mesh has no \"" + std::string(key) + "\"",
+           "give it; docs/synthetic_data.md says what it is");
+    }
     return *node;
   }
 
@@ -145,18 +153,20 @@ class Entry {
  private:
   [[nodiscard]] std::string TextOf(const toml::node& node, const std::string& key) const {
     const auto text = node.value_exact<std::string>();
-    if (!text || text->empty()) Fail(node, key + " is no text");
+    if (!text || text->empty()) Fail(node, key + " is no text", "write one between quotes");
     return *text;
   }
 
   [[nodiscard]] float NumberOf(const toml::node& node, const std::string& key) const {
     const auto number = node.value<double>();
-    if (!number || !std::isfinite(static_cast<float>(*number))) Fail(node, key + " is no number");
+    if (!number || !std::isfinite(static_cast<float>(*number))) {
+      Fail(node, key + " is no number", "write it without quotes, as in 0.5");
+    }
     return static_cast<float>(*number);
   }
 
-  [[nodiscard]] fs::path PathOf(const toml::node& node) const {
-    const fs::path path = TextOf(node, "a path");
+  [[nodiscard]] fs::path PathOf(const toml::node& node, const std::string& key) const {
+    const fs::path path = TextOf(node, key);
     if (path.is_absolute() || path.lexically_normal().string().starts_with("..")) {
       Fail(node, "\"" + path.string() + "\" leaves the folder", "put the file below it");
     }
@@ -166,7 +176,7 @@ class Entry {
   [[nodiscard]] const toml::array& List(std::string_view key) const {
     const toml::array* const list = Node(key).as_array();
     if (list == nullptr || list->empty())
-      Fail(Node(key), std::string(key) + " is no list of texts");
+      Fail(Node(key), std::string(key) + " is no list of texts", "write [\"…\", \"…\"]");
     return *list;
   }
 
@@ -226,6 +236,30 @@ CatalogueMesh ParseMesh(const Entry& entry) {
   return mesh;
 }
 
+// The tables [[mesh]] that the file holds, and nothing else.
+std::vector<const toml::table*> TablesOf(const fs::path& file, const toml::table& root) {
+  const auto fail = [&](const toml::node& node, std::string reason) {
+    throw Error(
+        {.path = file.string(),
+         .line = node.source().begin.line,
+         .reason = std::move(reason),
+         .remedy = "give a table [[mesh]] for each mesh; docs/synthetic_data.md lists keys"});
+  };
+  std::vector<const toml::table*> tables;
+  for (const auto& [key, node] : root) {
+    const toml::array* const list = node.as_array();
+    if (key.str() != "mesh" || list == nullptr) {
+      fail(node, "\"" + std::string(key.str()) + "\" is not a table [[mesh]]");
+    }
+    for (const toml::node& entry : *list) {
+      if (!entry.is_table()) fail(entry, "a mesh is not a table [[mesh]]");
+      tables.push_back(entry.as_table());
+    }
+  }
+  if (tables.empty()) fail(root, "no table [[mesh]]");
+  return tables;
+}
+
 std::string FingerprintOf(const fs::path& folder) {
   std::map<std::string, fs::path> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
@@ -273,20 +307,13 @@ MeshCatalogue ReadMeshCatalogue(const fs::path& folder) {
   if (KindOf(file) != PathKind::kFile) {
     throw Error({.kind = Error::Kind::kUsage,
                  .path = folder.string(),
-                 .reason = "holds no meshes.toml, which says what its meshes are",
+                 .reason = Exists(folder) ? "holds no meshes.toml, which says what its meshes are"
+                                          : "no such folder",
                  .remedy = "docs/synthetic_data.md describes one"});
   }
   const toml::table table = ReadTomlFile(file);
-  const toml::array* const entries = table["mesh"].as_array();
-  if (entries == nullptr || entries->empty() || table.size() != 1) {
-    throw Error({.path = file.string(), .reason = "holds something else than tables [[mesh]]"});
-  }
   MeshCatalogue catalogue;
-  for (const toml::node& node : *entries) {
-    const toml::table* const entry = node.as_table();
-    if (entry == nullptr) {
-      throw Error({.path = file.string(), .reason = "holds a mesh that is no table [[mesh]]"});
-    }
+  for (const toml::table* const entry : TablesOf(file, table)) {
     catalogue.meshes.push_back(ParseMesh(Entry(file, *entry)));
   }
   catalogue.fingerprint = FingerprintOf(folder);

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -44,17 +46,64 @@ void RemoveTemporaryFiles(const fs::path& folder) {
                .remedy = std::move(remedy)});
 }
 
-// "seed = 1 there, seed = 2 here": the first line that differs, or that one of them alone has.
-std::string FirstDifference(const std::string& there, std::string_view here) {
+// By which option of the command line a key of the file is chosen.
+struct ChosenBy {
+  std::string_view key;
+  std::string_view option;
+};
+constexpr std::array<ChosenBy, 17> kChosenBy = {{{"kind", "the same command"},
+                                                 {"family", "--family"},
+                                                 {"sensor", "--sensor"},
+                                                 {"seed", "--seed"},
+                                                 {"surroundings", "--surroundings"},
+                                                 {"meshes", "--meshes, the files unchanged,"},
+                                                 {"num_images", "--images or --size"},
+                                                 {"num_views", "--views"},
+                                                 {"num_configurations", "--configurations"},
+                                                 {"poses_per_view", "--poses or --size"},
+                                                 {"holds_per_view", "--holds"},
+                                                 {"camera_noise_m", "--camera-noise-m"},
+                                                 {"camera_noise_deg", "--camera-noise-deg"},
+                                                 {"width_px", "--camera"},
+                                                 {"height_px", "--camera"},
+                                                 {"focal_px", "--camera"},
+                                                 {"baseline_m", "--stereo or --camera"}}};
+
+// The first line that differs, or that one of them alone has.
+struct Difference {
+  std::size_t line = 0;
+  std::string there = {};
+  std::string here = {};
+};
+
+Difference FirstDifference(const std::string& there, std::string_view here) {
   std::istringstream there_lines(there);
   std::istringstream here_lines{std::string(here)};
-  std::string there_line;
-  std::string here_line;
+  Difference difference;
   do {
-    if (!std::getline(there_lines, there_line)) there_line = "nothing";
-    if (!std::getline(here_lines, here_line)) here_line = "nothing";
-  } while (there_line == here_line && there_line != "nothing");
-  return there_line + " there, " + here_line + " here";
+    ++difference.line;
+    if (!std::getline(there_lines, difference.there)) difference.there = "nothing";
+    if (!std::getline(here_lines, difference.here)) difference.here = "nothing";
+  } while (difference.there == difference.here && difference.there != "nothing");
+  return difference;
+}
+
+[[noreturn]] void RefuseOtherOptions(const fs::path& file,
+                                     const std::string& there,
+                                     std::string_view here) {
+  const Difference difference = FirstDifference(there, here);
+  const auto chosen = std::find_if(kChosenBy.begin(), kChosenBy.end(), [&](const ChosenBy& by) {
+    const std::string start = std::string(by.key) + " = ";
+    return difference.there.starts_with(start) || difference.here.starts_with(start);
+  });
+  const std::string option =
+      chosen == kChosenBy.end() ? "the options" : std::string(chosen->option);
+  throw Error({.kind = Error::Kind::kUsage,
+               .path = file.string(),
+               .line = difference.line,
+               .reason = "tells of a set made with other options: " + difference.there +
+                         " there, " + difference.here + " here",
+               .remedy = "give " + option + " as there, or another folder"});
 }
 
 void MakeOrTakeUp(const fs::path& out,
@@ -69,11 +118,7 @@ void MakeOrTakeUp(const fs::path& out,
                    .reason = "is cut after " + std::to_string(there.size()) + " bytes",
                    .remedy = "remove the folder, or bring the file back"});
     }
-    if (there != parameters) {
-      RefuseFolder(file,
-                   "tells of a set made with other options: " + FirstDifference(there, parameters),
-                   "give those, or another folder");
-    }
+    if (there != parameters) RefuseOtherOptions(file, there, parameters);
   } else if (Exists(out) && !fs::is_empty(out)) {
     RefuseFolder(
         out, "is there already and is not an empty folder", "remove it or choose another name");

@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "lib/core/utf8.h"
+
 namespace handcraft {
 namespace {
 
@@ -15,7 +17,7 @@ std::string Describe(const Error::Details& details) {
   if (!text.empty()) text += ": ";
   text += details.reason;
   if (!details.remedy.empty()) text += " (" + details.remedy + ")";
-  return text;
+  return OnOneLine(text);  // a name may hold a line end
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace handcraft {
 ///
 /// Thrown by the offline side (files, data sets, options); caught once, in `main`, which turns
 /// `kind` into the exit code. The runtime on the robot never throws: it returns error values.
-/// Read by people as `path:line: reason (remedy)`.
+/// Read by people as `path:line: reason (remedy)`, on one line (OnOneLine) whatever names hold.
 class Error : public std::runtime_error {
  public:
   enum class Kind {

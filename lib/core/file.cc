@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
                          .reason = "cannot " + doing + ": " + std::strerror(error_number)};
   if (error_number == ENOSPC) details.remedy = "free some space or write to another disk";
   if (error_number == ENOENT) details.remedy = "check the path";
+  if (error_number == EISDIR) details.remedy = "give a file in it";
   throw Error(std::move(details));
 }
 

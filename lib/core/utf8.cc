@@ -6,6 +6,10 @@
 namespace handcraft {
 namespace {
 
+bool IsControlCharacter(char c) noexcept {
+  return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+}
+
 // Bytes of the UTF-8 sequence that this lead byte announces; 0: not a lead byte.
 std::size_t SequenceLength(unsigned char lead) noexcept {
   if (lead < 0x80) return 1;
@@ -37,6 +41,22 @@ std::size_t Utf8PrefixLength(std::string_view text) noexcept {
     i += length;
   }
   return i;
+}
+
+std::string OnOneLine(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::string line;
+  for (const char c : text) {
+    if (!IsControlCharacter(c)) {
+      line += c;
+    } else if (c == '\n' || c == '\t' || c == '\r') {
+      line.append(c == '\n' ? "\\n" : c == '\t' ? "\\t" : "\\r");
+    } else {
+      const auto byte = static_cast<unsigned char>(c);
+      line.append("\\x").append({kDigits[byte / 16], kDigits[byte % 16]});
+    }
+  }
+  return line;
 }
 
 }  // namespace handcraft

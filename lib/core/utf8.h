@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace handcraft {
@@ -15,5 +16,9 @@ namespace handcraft {
 [[nodiscard]] inline bool IsUtf8(std::string_view text) noexcept {
   return Utf8PrefixLength(text) == text.size();
 }
+
+/// The text on one line, for messages and tables: each control character (U+0000 to U+001F and
+/// U+007F: a line end, a tab, what terminals take for a command) is written \n, \t, \r or \xNN.
+[[nodiscard]] std::string OnOneLine(std::string_view text);
 
 }  // namespace handcraft

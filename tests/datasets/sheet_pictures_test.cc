@@ -7,14 +7,17 @@
 
 #include <gmock/gmock.h>
 
+#include "lib/core/error.h"
 #include "tests/datasets/small_demonstration_set.h"
 #include "tests/datasets/small_image_set.h"
+#include "tests/support/expect_throws_message.h"
 #include "tests/support/temporary_directory.h"
 
 namespace handcraft::datasets {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::SizeIs;
 using testing::TemporaryDirectory;
 
@@ -36,6 +39,53 @@ TEST(SheetPicturesOf, ShowsAPictureAndItsLabels) {
   EXPECT_THAT(ColourAt(drawn[0], 0, 0), ElementsAre(100, 100, 100));
   EXPECT_GT(drawn[1].At(0, 0, 1), drawn[1].At(0, 0, 2) + 50) << "good is green";
   EXPECT_THAT(ColourAt(drawn[1], 1, 0), ElementsAre(100, 100, 100)) << "bad is as it was";
+}
+
+TEST(SheetPicturesOf, GoesNearToWhatIsGood) {
+  const TemporaryDirectory folder;
+  LabelledImageSet set{.root = folder.path(), .items = {}};
+  Image mask(100, 80);
+  mask.At(70, 40) = kMaskGood;
+  testing::AddPicture(set, "a", testing::NoiseImage(100, 80, 3, 1), mask);
+  testing::AddPicture(set, "b", Image(100, 80, 1, 100), Image(100, 80));
+  const std::vector<SheetPicture> pictures = SheetPicturesOf(set, Framing::kCloseUp);
+  const std::vector<Image> drawn = pictures[0].draw();
+  ASSERT_THAT(drawn, SizeIs(3));
+  EXPECT_EQ(drawn[0].width(), 100);
+  for (const Image& close_up : {drawn[1], drawn[2]}) {
+    EXPECT_EQ(close_up.width(), 22);
+    EXPECT_EQ(close_up.height(), 17);
+  }
+  EXPECT_EQ(ColourAt(drawn[1], 10, 8), ColourAt(drawn[0], 70, 40));
+  EXPECT_GT(drawn[2].At(10, 8, 1), drawn[1].At(10, 8, 1)) << "good is green";
+  EXPECT_EQ(pictures[1].draw()[2].width(), 100) << "nothing is good: all of it";
+}
+
+TEST(SheetPicturesOf, GoesNearToTheObjectOfAnObjectMask) {
+  const TemporaryDirectory folder;
+  LabelledImageSet set{.root = folder.path(), .items = {}};
+  testing::AddPicture(set, "a", Image(100, 80, 1, 100), Image(100, 80, 1, kMaskGood));
+  Image object(100, 80);
+  object.At(10, 10) = kObject;
+  perception::WritePng(folder / "object.png", object);
+  set.items[0].others[std::string(kObjectMask)] = "object.png";
+  EXPECT_EQ(SheetPicturesOf(set, Framing::kCloseUp)[0].draw()[2].width(), 22);
+  perception::WritePng(folder / "object.png", Image(99, 80));
+  EXPECT_THROWS_MESSAGE(
+      SheetPicturesOf(set, Framing::kCloseUp)[0].draw(), Error, HasSubstr("object.png"));
+  EXPECT_EQ(SheetPicturesOf(set)[0].draw().size(), 2U) << "which is not read without close-ups";
+}
+
+TEST(SheetPicturesOf, GoesNearToTheObjectOfAView) {
+  const TemporaryDirectory folder;
+  testing::MakeDemonstrationSet(folder.path());
+  const ViewSet set = ReadViewSet(folder.path());
+  const std::vector<Image> whole = SheetPicturesOf(set)[0].draw();
+  const std::vector<Image> near = SheetPicturesOf(set, Framing::kCloseUp)[0].draw();
+  ASSERT_THAT(near, SizeIs(3));
+  EXPECT_EQ(near[0].values(), whole[0].values());
+  EXPECT_LT(near[1].width(), whole[1].width());
+  EXPECT_EQ(near[1].width(), near[2].width());
 }
 
 TEST(SheetPicturesOf, ShowsAViewItsDepthsAndItsObject) {

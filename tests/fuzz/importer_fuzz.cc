@@ -63,6 +63,7 @@ void MakeMasks(const SourceSet& source) {
   for (const SourcePicture& picture : source.pictures) {
     const Image mask = picture.make_mask(6, 4);
     Require(mask.width() == 6 && mask.height() == 4);
+    if (picture.find_notes) static_cast<void>(picture.find_notes(6, 4));
     for (const std::uint8_t value : mask.values()) {
       Require(value == kMaskGood || value == kMaskBad || value == kMaskDontCare);
     }

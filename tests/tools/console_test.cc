@@ -20,6 +20,13 @@ TEST(Console, WarnsOnTheErrorStreamAlone) {
   EXPECT_EQ(err.str(), "handcraft: warning: mind the gap\n");
 }
 
+TEST(Console, WarnsOnOneLine) {
+  std::ostringstream out;
+  std::ostringstream err;
+  Console{out, err}.Warn("a\nb.png");
+  EXPECT_EQ(err.str(), "handcraft: warning: a\\nb.png\n");
+}
+
 TEST(Console, PrintsJsonInTheOrderGiven) {
   std::ostringstream out;
   std::ostringstream err;

@@ -184,6 +184,30 @@ TEST(RunHandcraft, NamesTheOptionTheValueAndTheRule) {
   }
 }
 
+TEST(RunHandcraft, TakesALinkRoundInACircleForBadInput) {
+  const TemporaryDirectory folder;
+  std::filesystem::create_symlink("y", folder / "y");
+  const std::string loop = (folder / "y").string();
+  for (const std::string& line : {"data check " + loop,
+                                  "data info " + loop,
+                                  "data preview " + loop + " --out " + loop + ".png",
+                                  "data split " + loop,
+                                  "evaluate m d --json " + loop + " --html " + loop}) {
+    const Outcome outcome = RunLine(line);
+    EXPECT_EQ(outcome.code, 3) << line;
+    EXPECT_THAT(outcome.err,
+                AllOf(HasSubstr(loop), HasSubstr("Too many levels of symbolic links")));
+    EXPECT_THAT(outcome.err, Not(HasSubstr("bug"))) << line;
+  }
+  testing::WriteImageSet(folder / "set");
+  const std::filesystem::path mask = folder / "set/p0_mask.png";
+  std::filesystem::remove(mask);
+  std::filesystem::create_symlink(mask.filename(), mask);
+  const Outcome check = RunLine("data check " + (folder / "set").string());
+  EXPECT_EQ(check.code, 3);
+  EXPECT_THAT(check.out + check.err, HasSubstr("p0_mask.png: cannot open: Too many levels"));
+}
+
 // A stream that takes nothing, as /dev/full.
 class FullStream : public std::streambuf {
  protected:

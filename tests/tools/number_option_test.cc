@@ -69,6 +69,9 @@ TEST(AddNumber, RefusesWhatIsNoNumberOfTheKind) {
 TEST(AddNumber, RefusesWhatItsTypeCannotHold) {
   EXPECT_EQ(Refusal("--steps 3000000000"),
             "--steps: 3000000000 given; it must be from -2147483648 to 2147483647");
+  EXPECT_EQ(Refusal("--steps -3000000000"), "--steps: -3000000000 given; it must be 1 or more");
+  EXPECT_EQ(Refusal("--threads 99999999999999"),
+            "--threads: 99999999999999 given; it must be from 1 to 8");
   EXPECT_EQ(Refusal("--seed 99999999999999999999"),
             "--seed: 99999999999999999999 given; it must be from 0 to 18446744073709551615");
 }

@@ -135,7 +135,10 @@ TEST(RequireSearchFits, RefusesWhatDoesNotGoTogether) {
   refuses({.depth = "d", .camera = "c", .cloud_unit_m = 1.0F}, 1, "--cloud-unit needs --cloud");
   refuses({.cloud = "c", .stereo_method = SearchInput::kBlock}, 1, "--stereo-method needs --right");
   refuses({.up = {0, 0, 1}}, 1, "--up needs --cloud, --depth or --right");
-  refuses({.cloud = "c", .up = {0, 0, 0}}, 1, "up is 0");
+  refuses({.up_angle_deg = 5.0}, 1, "--up-angle needs --cloud, --depth or --right");
+  refuses({.table_distance_m = 0.02}, 1, "--table-distance needs --cloud, --depth or --right");
+  refuses({.cloud = "c", .up = {0, 0, 0}}, 1, "--up is 0 0 0; it must be of a finite length");
+  refuses({.cloud = "c", .up = {0, NAN, 1}}, 1, "--up is 0 nan 1");
 }
 
 TEST(RegionOptions, TakesTheOptionsGiven) {

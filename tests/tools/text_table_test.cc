@@ -56,6 +56,12 @@ TEST(TextTable, AlignsTheLongDashAmongNumbersAndWords) {
             "a – b           7  words\n");
 }
 
+TEST(TextTable, KeepsARowOnOneLine) {
+  TextTable table({"class", "images"});
+  table.AddRow({"a\nb\t\x1B", "3"});
+  EXPECT_EQ(table.ToText(), "class       images\na\\nb\\t\\x1B       3\n");
+}
+
 TEST(TextTable, TakesShortRowsAndNone) {
   TextTable table({"a", "b"});
   table.AddRow({"1"});

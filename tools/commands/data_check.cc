@@ -53,11 +53,11 @@ void PrintFindings(const Console& console,
                    std::string_view kind,
                    const std::vector<datasets::Fault>& findings) {
   for (const datasets::Fault& finding : findings) {
-    console.out << finding.path;
-    if (finding.line) console.out << ':' << *finding.line;
-    console.out << ": " << kind << finding.reason;
-    if (!finding.remedy.empty()) console.out << " (" << finding.remedy << ')';
-    console.out << '\n';
+    const Error told({.path = finding.path,
+                      .line = finding.line,
+                      .reason = std::string(kind) + finding.reason,
+                      .remedy = finding.remedy});
+    console.out << told.what() << '\n';
   }
 }
 

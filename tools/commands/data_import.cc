@@ -1,15 +1,22 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <ostream>
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "datasets/formats/fault.h"
+#include "datasets/formats/set_fingerprint.h"
 #include "datasets/importers/image_set_import.h"
 #include "datasets/importers/view_set_import.h"
 #include "lib/core/error.h"
@@ -67,19 +74,60 @@ void AddSharedOptions(CLI::App& command, DataImportOptions& options) {
   AddJsonFlag(command, options.json);
 }
 
+// A few of the notes by name, and how many there are besides.
+void Warn(const std::vector<datasets::Fault>& notes, const Console& console) {
+  constexpr std::size_t kMostNotes = 10;
+  for (std::size_t i = 0; i < std::min(notes.size(), kMostNotes); ++i) {
+    const datasets::Fault& note = notes[i];
+    console.Warn(Error({.path = note.path, .reason = note.reason, .remedy = note.remedy}).what());
+  }
+  if (notes.size() <= kMostNotes) return;
+  console.Warn(std::to_string(notes.size() - kMostNotes) + " more of the kind; --json tells all");
+}
+
+nlohmann::ordered_json ToJson(const std::vector<datasets::Fault>& notes) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const datasets::Fault& note : notes) {
+    list.push_back({{"path", note.path}, {"reason", note.reason}, {"remedy", note.remedy}});
+  }
+  return list;
+}
+
 // What was made, in words and as JSON.
 template <class Set>
 void TellOf(const Set& set,
+            const std::vector<datasets::Fault>& notes,
             const char* what,
             const DataImportOptions& options,
             const Console& console) {
   if (options.json) {
     console.Print({{"folder", options.out},
                    {std::string("num_") + what, set.items.size()},
-                   {"fingerprint", datasets::Fingerprint(set)}});
+                   {"fingerprint", datasets::Fingerprint(set)},
+                   {"notes", ToJson(notes)}});
   } else {
     console.out << "Wrote " << set.items.size() << ' ' << what << " with masks to " << options.out
                 << '\n';
+  }
+}
+
+// data check refuses a picture that is listed twice; files of unequal size need not be read.
+template <class Set>
+void WarnOfTwins(const Set& set, const Console& console) {
+  std::map<std::uintmax_t, std::vector<std::string>> by_size;
+  for (const auto& item : set.items) {
+    by_size[std::filesystem::file_size(set.root / item.image)].push_back(item.image);
+  }
+  for (const auto& group : by_size) {
+    std::map<std::string, std::string> first_of_content;
+    if (group.second.size() < 2) continue;
+    for (const std::string& image : group.second) {
+      const std::string digest = datasets::FileDigest(set.root / image);
+      const auto [first, is_new] = first_of_content.try_emplace(digest, image);
+      if (is_new) continue;
+      console.Warn(image + " is the same picture as " + first->second +
+                   ": handcraft data check refuses the set; keep one of them");
+    }
   }
 }
 
@@ -98,18 +146,24 @@ void RunDataImport(const DataImportOptions& options, const Console& console) {
   ProgressBar bar(console);
   datasets::ImportOptions import = options.import;
   import.progress = bar.Callback();
-  if (options.makes == SetKind::kViews) {
-    const datasets::ViewSet set = datasets::ImportViews(std::move(source), options.out, import);
-    bar.Clear();
-    TellOf(set, "views", options, console);
-  } else {
-    const auto set = datasets::ImportPictures(std::move(source), options.out, import);
-    bar.Clear();
-    TellOf(set, "images", options, console);
-  }
+  std::vector<datasets::Fault> notes;
+  import.on_note = [&notes](const datasets::Fault& note) { notes.push_back(note);
+};
+if (options.makes == SetKind::kViews) {
+  const datasets::ViewSet set = datasets::ImportViews(std::move(source), options.out, import);
+  bar.Clear();
+  WarnOfTwins(set, console);
+  TellOf(set, notes, "views", options, console);
+} else {
+  const auto set = datasets::ImportPictures(std::move(source), options.out, import);
+  bar.Clear();
+  Warn(notes, console);
+  WarnOfTwins(set, console);
+  TellOf(set, notes, "images", options, console);
 }
-
 }  // namespace
+
+}  // namespace handcraft::tools
 
 void AddDataImport(CLI::App& parent, const Console& console) {
   CLI::App* import = parent.add_subcommand("import", "Turn a public data set into one of ours");

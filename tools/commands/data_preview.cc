@@ -33,6 +33,7 @@ struct DataPreviewOptions {
   datasets::OverviewOptions overview;
   datasets::PageOptions page;
   int tile_width_px = 0;
+  datasets::Framing framing = datasets::Framing::kWhole;
   bool is_page = false;
   bool shows_poses = false;
   datasets::DemonstrationSheetOptions poses;
@@ -62,7 +63,7 @@ std::unique_ptr<Gallery> OpenGallery(const DataPreviewOptions& options) {
   } else {
     gallery->set = datasets::OpenSet(root);
     gallery->pictures =
-        std::visit([](const auto& of_kind) { return datasets::SheetPicturesOf(of_kind); },
+        std::visit([&](const auto& of_kind) { return SheetPicturesOf(of_kind, options.framing); },
                    gallery->set.pictures);
   }
   return gallery;
@@ -121,8 +122,13 @@ void RunDataPreview(const DataPreviewOptions& options, const Console& console) {
 }
 
 void AddPoseOptions(CLI::App& command, DataPreviewOptions& options) {
+  CLI::Option* close_up = command.add_flag_callback(
+      "--close-up",
+      [&options] { options.framing = datasets::Framing::kCloseUp; },
+      "Labels on a close-up of each object, beside the whole picture");
   CLI::Option* poses = command.add_flag(
       "--poses", options.shows_poses, "Views of a demonstration set with hands at its poses");
+  poses->excludes(close_up);
   AddNumber(command,
             "--poses-per-view",
             options.poses,

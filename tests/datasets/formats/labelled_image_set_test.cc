@@ -99,6 +99,13 @@ TEST(ReadLabelledImageSet, KeepsPathsInsideTheFolder) {
   EXPECT_THAT(ReadRows("a..b/i..png,./m.png,c,1,train,\n").items, SizeIs(1));
 }
 
+TEST(ReadLabelledImageSet, NamesTheLineThatIsNotUtf8) {
+  EXPECT_THROWS_MESSAGE(ReadRows("a,b,mug,m1,train,x\nc,d,gr\xF6\xDF"
+                                 "e,m2,train,x\n"),
+                        Error,
+                        HasSubstr("manifest.csv:3: not UTF-8 text"));
+}
+
 TEST(ReadLabelledImageSet, RefusesAnImageTwice) {
   EXPECT_THROWS_MESSAGE(
       ReadRows("a.png,m.png,c,1,train,\nb.png,m.png,c,1,train,\n./a.png,n.png,c,1,train,\n"),

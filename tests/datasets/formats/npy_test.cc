@@ -3,6 +3,8 @@
 
 #include "datasets/formats/npy.h"
 
+#include <sys/stat.h>
+
 #include <fstream>
 #include <string>
 #include <string_view>
@@ -142,6 +144,18 @@ TEST(ReadNpy, SurvivesFlippedBits) {
     } catch (const Error&) {
     }
   }
+}
+
+TEST(IsNpy, LooksAtTheFirstBytesAndDoesNotWaitForAPipe) {
+  const testing::TemporaryDirectory folder;
+  WriteFileAtomically(folder / "a.csv", "\x93NUMPYx");
+  WriteFileAtomically(folder / "b.npy", "\x93NUMP");
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  EXPECT_TRUE(IsNpy(folder / "a.csv"));
+  EXPECT_FALSE(IsNpy(folder / "b.npy"));
+  EXPECT_FALSE(IsNpy(folder / "pipe"));
+  EXPECT_FALSE(IsNpy(folder / "nothing"));
+  EXPECT_FALSE(IsNpy("/dev/zero"));
 }
 
 }  // namespace

@@ -238,6 +238,18 @@ TEST_F(CloudOfPictureTest, TakesAnOrganisedCloudAsItIs) {
   ExpectRefused(row, "organised, 3 × 2 pixels, or with an index, row · width + column");
 }
 
+TEST_F(CloudOfPictureTest, TakesACloudWithoutPoints) {
+  for (const char* data : {"ascii", "binary"}) {
+    for (const std::string& text : {Header("0", data), IndexedHeader("0", data, "U")}) {
+      const OrganisedCloud cloud = Read(text);
+      EXPECT_EQ(cloud.points.size(), 6U);
+      for (const Vector3f& point : cloud.points) EXPECT_FALSE(IsMeasured(point)) << text;
+    }
+  }
+  ExpectRefused(Header("0", "ascii") + "1 2 3\n", "more than the 0 points of the header");
+  EXPECT_THROWS_MESSAGE(ReadPcd(folder_ / "a.pcd"), Error, HasSubstr("a.pcd: no points"));
+}
+
 TEST_F(CloudOfPictureTest, NamesThePointAndTheIndexThatIsNoPixel) {
   const std::string header = IndexedHeader("2", "ascii", "F");
   ExpectRefused(header + "0 1 2 3\n6 1 2 3\n", "point 2 of 2: index 6 is outside the picture of 3");

@@ -109,8 +109,8 @@ TEST(ReadPcdHeader, RefusesFieldsThatDoNotHoldPoints) {
 
 TEST(ReadPcdHeader, RefusesCountsThatCannotBe) {
   ExpectRefused(With("POINTS 12", "POINTS 13"), "a.pcd:10: POINTS 13; WIDTH times HEIGHT is 12");
-  ExpectRefused(With("WIDTH 4", "WIDTH 0"), "WIDTH 0; a number from 1 to 268435456 is due");
-  ExpectRefused(With("WIDTH 4", "WIDTH -4"), "WIDTH -4");
+  ExpectRefused(With("WIDTH 4", "WIDTH 0"), "a.pcd:10: POINTS 12; WIDTH times HEIGHT is 0");
+  ExpectRefused(With("WIDTH 4", "WIDTH -4"), "WIDTH -4; a number from 0 to 268435456 is due");
   ExpectRefused(With("WIDTH 4", "WIDTH 4.0"), "WIDTH 4.0");
   ExpectRefused(With("WIDTH 4", "WIDTH 99999999999999999999"), "WIDTH 99999999999999999999");
   std::string huge = With("WIDTH 4", "WIDTH 268435456");

@@ -59,14 +59,16 @@ TEST_F(CheckSceneFileTest, RefusesWhatIsEmptyOrNoToml) {
 }
 
 TEST_F(CheckSceneFileTest, NamesWhatIsMissing) {
-  Refuses("x = 1\n", ": no class (see docs/datasets.md, Scene)");
-  RefusesWith("instance = 3\n", "", ": no instance (see");
+  Refuses("x = 1\n", ":1: no class (see docs/datasets.md, Scene)");
+  RefusesWith("instance = 3\n", "", ":1: no instance (see");
   RefusesWith("[camera]", "[Camera]", ": no table [camera] (see");
-  RefusesWith("base_from_camera_position", "position", ": no base_from_camera_position_m in [cam");
-  RefusesWith("base_from_camera_quat", "quat", ": no base_from_camera_quaternion_xyzw in [camera]");
+  RefusesWith(
+      "base_from_camera_position", "position", ":4: no base_from_camera_position_m in [cam");
+  RefusesWith(
+      "base_from_camera_quat", "quat", ":4: no base_from_camera_quaternion_xyzw in [camera]");
   RefusesWith("[[objects]]", "[[targets]]", ": no table [[objects]] (see");
   RefusesWith(
-      "base_from_object_quat", "q", ": no base_from_object_quaternion_xyzw in one of [[obj");
+      "base_from_object_quat", "q", ":8: no base_from_object_quaternion_xyzw in one of [[obj");
 }
 
 TEST_F(CheckSceneFileTest, NamesTheLineOfWhatIsNoPose) {

@@ -222,5 +222,25 @@ TEST(ImportPictures, LeavesNothingBehindWhenTheDiskIsFull) {
   EXPECT_EQ(NumEntries(folder.path()), 1);
 }
 
+TEST(ImportPictures, TellsWhatIsWorthKnowingInTheOrderOfThePictures) {
+  const TemporaryDirectory folder;
+  SourceSet source = MakeSource(folder.path(), {"a", "b", "c"});
+  source.pictures[0].make_mask = [](int width, int height) {
+    return Image(width, height, 1, kMaskGood);
+  };
+  source.pictures[2].make_mask = [](int width, int height) { return Image(width, height); };
+  source.pictures[2].find_notes = [](int width, int height) {
+    return std::vector<Fault>{{.path = "c.json", .reason = std::to_string(width * height)}};
+  };
+  std::vector<std::string> told;
+  const auto tell = [&](const Fault& note) { told.push_back(note.path + ": " + note.reason); };
+  ImportPictures(std::move(source), folder / "out", {.num_threads = 2, .on_note = tell});
+  EXPECT_THAT(told,
+              ::testing::ElementsAre(
+                  "masks/a.png: no bad pixel (0): training draws nothing from the picture",
+                  "c.json: 1200",
+                  "masks/c.png: no good pixel (255): training draws nothing from the picture"));
+}
+
 }  // namespace
 }  // namespace handcraft::datasets

@@ -3,6 +3,8 @@
 
 #include "datasets/importers/label_picture.h"
 
+#include <sys/stat.h>
+
 #include <opencv2/imgcodecs.hpp>
 
 #include "lib/core/error.h"
@@ -53,6 +55,14 @@ TEST(ReadLabelValues, RefusesJpegAndSixteenBit) {
   cv::imwrite((folder / "deep.png").string(), cv::Mat(4, 4, CV_16UC1, cv::Scalar(1)));
   EXPECT_THROWS_MESSAGE(ReadLabelValues(folder / "deep.png"), Error, HasSubstr("16"));
   EXPECT_THROWS_MESSAGE(ReadLabelValues(folder / "no.png"), Error, HasSubstr("no.png"));
+}
+
+TEST(ReadLabelPicture, DoesNotWaitForAPipe) {
+  const TemporaryDirectory folder;
+  ASSERT_EQ(::mkfifo((folder / "pipe.png").c_str(), 0600), 0);
+  EXPECT_THROWS_MESSAGE(static_cast<void>(ReadLabelPicture(folder / "pipe.png")),
+                        Error,
+                        HasSubstr("pipe.png: is a pipe or a device; a file is due"));
 }
 
 }  // namespace

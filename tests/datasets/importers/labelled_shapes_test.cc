@@ -157,6 +157,33 @@ TEST(DrawLabelledShapes, TakesShapesWithoutAreaAndLargerThanThePicture) {
   EXPECT_EQ(Draw(2, 1, {{Box(2.0, 0, 2.9, 1), kMaskGood}}), (Letters{".."}));
 }
 
+TEST(NotesOnShapes, NamesThoseThatCoverNothing) {
+  const std::vector<Fault> notes =
+      NotesOnShapes("shapes.json",
+                    2,
+                    1,
+                    {{Box(0, 0, 1, 1), kMaskGood, "a"},
+                     {Polygon{{0.5, 0.5}, {1.5, 0.5}, {0.5, 0.5}}, kMaskGood, "b"},
+                     {Circle{{0.5, 0.5}, 0.0}, kMaskDontCare, "c"},
+                     {PixelRuns{2}, kMaskGood, "d"},
+                     {PixelRuns{2, 0}, kMaskBad, "e"},
+                     {PixelRuns{1, 1}, kMaskBad, "f"},
+                     {PixelSpans{}, kMaskGood, "g"},
+                     {PixelSpans{{0, 1, 1}}, kMaskGood, "h"},
+                     {PixelSpans{{0, 1, 2}}, kMaskGood, "i"}});
+  std::string places;
+  for (const Fault& note : notes) {
+    EXPECT_EQ(note.path, "shapes.json");
+    EXPECT_EQ(note.gravity, Gravity::kNote);
+    EXPECT_THAT(note.reason, HasSubstr(": the shape covers no pixel"));
+    places += note.reason.front();
+  }
+  EXPECT_EQ(places, "bcdegh");
+  EXPECT_THROW(
+      static_cast<void>(NotesOnShapes("shapes.json", 2, 1, {{Circle{{9, 9}, 3.0}, kMaskGood}})),
+      Error);
+}
+
 TEST(DrawLabelledShapes, RefusesShapesOutsideThePicture) {
   const double far = kFarthest_px;
   const auto refuses = [](const ShapeGeometry& geometry) {

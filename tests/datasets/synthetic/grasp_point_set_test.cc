@@ -127,7 +127,7 @@ TEST(MakeGraspPointSet, RefusesToGoOnWithOtherOptions) {
   const auto refuses = [&](const GraspPointSetOptions& options) {
     EXPECT_THROWS_MESSAGE(MakeGraspPointSet(folder / "set", options),
                           Error,
-                          HasSubstr("dataset.toml: tells of a set made with other options"));
+                          HasSubstr("tells of a set made with other options"));
   };
   refuses({.num_images = 1, .camera = kSmallCamera, .seed = 2});
   refuses({.num_images = 1});
@@ -171,7 +171,7 @@ TEST(MakeGraspPointSet, TakesEveryThirdInstanceFromTheMeshes) {
   WriteCatalogue(folder / "meshes", 0.12F);
   EXPECT_THROWS_MESSAGE(MakeGraspPointSet(folder / "set", options),
                         Error,
-                        HasSubstr("dataset.toml: tells of a set made with other options"));
+                        HasSubstr("tells of a set made with other options"));
 }
 
 TEST(GraspPointSetOptions, RefusesWhatCannotBe) {

@@ -72,16 +72,20 @@ TEST_F(ReadMeshCatalogueTest, RefusesWhatIsWrongByFileAndLine) {
   ExpectRefused("[[mesh]]\nfile = \"a.obj\"\n", "meshes.toml:1: a mesh has no \"class\"");
   ExpectRefused(kEntry + "up = \"w\"\n", "meshes.toml:8: up is \"w\" (give one of x, y, z)");
   ExpectRefused(kEntry + "scale = 2\n", "scale is no list of two numbers");
-  ExpectRefused(kEntry + "scale = [2, 1]\n", "scale must rise from above 0 to at most 10");
+  ExpectRefused(kEntry + "scale = [2, 1]\n",
+                "scale does not rise from above 0 to at most 10 (write the smaller");
   ExpectRefused(kEntry + "scale = [\"a\", 1]\n", "meshes.toml:8: scale is no number");
   ExpectRefused(kEntry + "turn_deg = nan\n", "turn_deg is no number");
-  ExpectRefused(kEntry + "finish = 3\n", "finish is no text");
+  ExpectRefused(kEntry + "finish = 3\n", "finish is no text (write one between quotes)");
   ExpectRefused(kEntry + "graspable_texture = \"a.png\"\n",
                 "a mesh has 2 keys that say what is graspable");
   ExpectRefused("[[mesh]]\nx = [\n", "meshes.toml:");
-  ExpectRefused("mesh = 3\n", "holds something else than tables [[mesh]]");
-  ExpectRefused("mesh = [3]\n", "holds a mesh that is no table [[mesh]]");
-  ExpectRefused("", "holds something else than tables [[mesh]]");
+  ExpectRefused("mesh = 3\n", "meshes.toml:1: \"mesh\" is not a table [[mesh]] (give a table");
+  ExpectRefused(kEntry + "[other]\n", "meshes.toml:8: \"other\" is not a table [[mesh]]");
+  ExpectRefused("[[mesh]]\nfile = 3\n" + kEntry.substr(kEntry.find("class")),
+                "meshes.toml:2: file is no text");
+  ExpectRefused("mesh = [3]\n", "meshes.toml:1: a mesh is not a table [[mesh]]");
+  ExpectRefused("", "no table [[mesh]] (give a table [[mesh]] for each mesh");
 }
 
 TEST_F(ReadMeshCatalogueTest, RefusesNamesThatCannotBeFilesAndPathsThatLeave) {

@@ -55,7 +55,8 @@ TEST(PrepareSetFolder, RefusesWhatIsNotItsOwn) {
   PrepareSetFolder(folder / "set", "seed = 1\n", kFolders);
   refuses(
       "set",
-      "dataset.toml: tells of a set made with other options: seed = 1 there, seed = 2 here (give");
+      "dataset.toml:1: tells of a set made with other options: seed = 1 there, seed = 2 here (give "
+      "--seed as there, or another folder)");
   EXPECT_EQ(ReadTextFile(folder / "set/dataset.toml"), "seed = 1\n");
   WriteFileAtomically(folder / "file", "");
   refuses("file", "file: is not a folder");
@@ -64,7 +65,11 @@ TEST(PrepareSetFolder, RefusesWhatIsNotItsOwn) {
   refuses("others", "others: is there already and is not an empty folder");
   refuses("no/set", "cannot make the folder: No such file");
   PrepareSetFolder(folder / "longer", "seed = 2\nviews = 3\n", kFolders);
-  refuses("longer", "other options: views = 3 there, nothing here");
+  refuses("longer",
+          "dataset.toml:2: tells of a set made with other options: views = 3 there, nothing here "
+          "(give the options as there");
+  PrepareSetFolder(folder / "pictures", "seed = 2\nnum_images = 3\n", kFolders);
+  refuses("pictures", "num_images = 3 there, nothing here (give --images or --size as there");
   EXPECT_FALSE(fs::exists(folder / "others/images"));
 }
 

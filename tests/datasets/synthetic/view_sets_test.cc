@@ -146,7 +146,7 @@ TEST(MakeViewSet, RefusesToGoOnWithOtherOptions) {
   const auto refuses = [&] {
     EXPECT_THROWS_MESSAGE(MakeViewSet(folder / "set", options),
                           Error,
-                          HasSubstr("dataset.toml: tells of a set made with other options"));
+                          HasSubstr("tells of a set made with other options"));
   };
   options.sensor = CloudSensor::kDepthCamera;
   refuses();

@@ -26,6 +26,11 @@ TEST(Error, ReadsWithoutPath) {
   EXPECT_STREQ(Error({.reason = "ridge must be >= 0"}).what(), "ridge must be >= 0");
 }
 
+TEST(Error, StandsOnOneLineWhateverNamesHold) {
+  EXPECT_STREQ(Error({.path = "a\nb.png", .reason = "the class 'x\t\x1B[2J'"}).what(),
+               "a\\nb.png: the class 'x\\t\\x1B[2J'");
+}
+
 TEST(Error, EachKindHasItsExitCode) {
   EXPECT_EQ(ExitCode(Error::Kind::kUsage), 2);
   EXPECT_EQ(ExitCode(Error::Kind::kBadInput), 3);

@@ -46,5 +46,11 @@ TEST(Utf8PrefixLength, EndsWhereTheFaultBegins) {
   EXPECT_EQ(Utf8PrefixLength("ab\xC3"), 2U);
 }
 
+TEST(OnOneLine, WritesControlCharactersAsText) {
+  EXPECT_EQ(OnOneLine("größe 1"), "größe 1");
+  EXPECT_EQ(OnOneLine("a\nb\tc\rd\x1B\x7F"), "a\\nb\\tc\\rd\\x1B\\x7F");
+  EXPECT_EQ(OnOneLine(std::string_view("\0", 1)), "\\x00");
+}
+
 }  // namespace
 }  // namespace handcraft

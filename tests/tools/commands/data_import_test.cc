@@ -1,11 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
+#include <cstdint>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include "datasets/formats/labelled_image_set.h"
 #include "lib/core/file.h"
+#include "lib/perception/image_io.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/tools/support/generated_data.h"
 #include "tests/tools/support/run.h"
@@ -14,6 +18,7 @@ namespace handcraft::tools {
 namespace {
 
 using handcraft::testing::TemporaryDirectory;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using testing::NumEntries;
 using testing::Outcome;
@@ -77,6 +82,71 @@ TEST_F(DataImport, LeavesNothingOnFailure) {
   EXPECT_THAT(outcome.err, HasSubstr("no/such/tree"));
   EXPECT_EQ(Import("--good-share 0").code, 2);
   EXPECT_EQ(NumEntries(folder_.path()), 0U);
+}
+
+TEST_F(DataImport, WarnsOfAPictureThatIsThereTwice) {
+  testing::WriteImageSet(folder_ / "source");
+  const std::string line = "data import folders " + (folder_ / "source").string() +
+                           " --images . --masks . --mask-suffix _mask --out " + out_.string();
+  EXPECT_EQ(RunLine(line).err, "");
+  std::filesystem::remove_all(out_);
+  for (const std::string ending : {".png", "_mask.png"}) {
+    std::filesystem::copy_file(folder_ / "source" / ("p0" + ending),
+                               folder_ / "source" / ("p9" + ending));
+  }
+  const Outcome outcome = RunLine(line);
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("p9.png is the same picture as "));
+  EXPECT_EQ(RunLine("data check " + out_.string()).code, 3) << "which is what it warns of";
+}
+
+TEST_F(DataImport, TellsOfShapesThatCoverNothing) {
+  testing::WriteImageSet(folder_ / "source");
+  WriteFileAtomically(
+      folder_ / "source" / "p0.json",
+      R"({"shapes": [{"label": "good", "shape_type": "polygon", "points": [[1, 1], [2, 2], [3, 3]]}],)"
+      R"( "imagePath": "p0.png", "imageData": null})");
+  const std::string line =
+      "data import labelme " + (folder_ / "source").string() + " --out " + out_.string();
+  const Outcome outcome = RunLine(line);
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err,
+              AllOf(HasSubstr("p0.json: at /shapes/0: the shape covers no pixel, nothing is drawn "
+                              "of it (draw it larger, or remove it)"),
+                    HasSubstr("masks/p0.png: no good pixel (255): training draws nothing")));
+  std::filesystem::remove_all(out_);
+  const auto json = nlohmann::json::parse(RunLine(line + " --json").out);
+  ASSERT_EQ(json["notes"].size(), 2U);
+  EXPECT_EQ(json["notes"][1]["path"], "masks/p0.png");
+}
+
+TEST_F(DataImport, TellsOfTenNotesAndHowManyMore) {
+  testing::WriteImageSet(folder_ / "source");
+  std::string images;
+  for (int i = 0; i < 12; ++i) {
+    const std::string name = "a" + std::to_string(i) + ".png";
+    perception::WritePng(folder_ / "source" / name, Image(2, 2, 1, static_cast<std::uint8_t>(i)));
+    images += (i == 0 ? "" : ", ") + (R"({"id": )" + std::to_string(i)) +
+              R"(, "width": 2, "height": 2, "file_name": ")" + name + R"("})";
+  }
+  WriteFileAtomically(folder_ / "source" / "coco.json",
+                      R"({"images": [)" + images +
+                          R"(], "annotations": [], "categories": [{"id": 1, "name": "good"}]})");
+  const Outcome outcome = RunLine("data import coco " + (folder_ / "source/coco.json").string() +
+                                  " --out " + out_.string());
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 11);
+  EXPECT_THAT(outcome.err, HasSubstr("2 more of the kind; --json tells all"));
+}
+
+TEST_F(DataImport, NamesFilesOnOneLine) {
+  testing::WriteImageSet(folder_ / "source");
+  std::filesystem::copy_file(folder_ / "source/p0.png", folder_ / "source/line\nend.png");
+  const Outcome outcome =
+      RunLine("data import folders " + (folder_ / "source").string() +
+              " --images . --masks . --mask-suffix _mask --out " + out_.string());
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("line\\nend.png: has no mask: expected "));
 }
 
 TEST_F(DataImport, SaysThatTheSourceIsNotThere) {

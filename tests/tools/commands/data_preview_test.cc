@@ -33,6 +33,19 @@ TEST(DataPreview, DrawsTheSample) {
   EXPECT_EQ(json["height_px"], sheet.height());
 }
 
+TEST(DataPreview, GoesNearToObjects) {
+  const TemporaryDirectory folder;
+  const std::string out = (folder / "sheet.png").string();
+  const std::string line = "data preview " + kSample + " --out " + out + " --close-up";
+  ASSERT_EQ(RunLine(line + " --images-per-class 1 --tile-width 64").code, 0);
+  EXPECT_EQ(perception::ReadImage(out).width(), 3 * 64) << "whole, near, near with labels";
+  ASSERT_EQ(RunLine(line + " --page 1 --columns 2 --rows 1 --tile-width 64").code, 0);
+  EXPECT_EQ(perception::ReadImage(out).width(), 2 * 68);
+  const Outcome outcome = RunLine(line + " --poses");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--close-up"));
+}
+
 TEST(DataPreview, LeafsThroughASet) {
   const TemporaryDirectory folder;
   const std::string out = (folder / "page.png").string();

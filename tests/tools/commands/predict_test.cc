@@ -221,6 +221,15 @@ TEST_F(PredictRegionTest, SaysThatNothingStandsOnTheTable) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
 }
 
+TEST_F(PredictRegionTest, SaysThatTheCloudIsEmpty) {
+  WriteFileAtomically(folder_ / "block.pcd",
+                      "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 0\nHEIGHT 1\n"
+                      "POINTS 0\nDATA ascii\n");
+  const Outcome outcome = PredictBlock("");
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("block.png"));
+}
+
 TEST_F(PredictRegionTest, RefusesOptionsThatDoNotFit) {
   EXPECT_EQ(PredictBlock(" --camera c.toml").code, 2);
   EXPECT_EQ(PredictBlock(" --up 0 0").code, 2);
