@@ -274,8 +274,10 @@ OrganisedCloud ReadCloudOfPicture(const std::filesystem::path& path,
   const PixelSize size = {header.width, header.height};
   if (header.height > 1 || size == picture_size) {
     RequireSameSize(path, "the cloud", size, picture_size);
-    cloud.points = ReadPoints(file, unit_m.value_or(header.unit_m)).points;
-    return cloud;
+    if (!header.index) {
+      cloud.points = ReadPoints(file, unit_m.value_or(header.unit_m)).points;
+      return cloud;
+    }
   }
   if (!header.index) {
     throw Error(
