@@ -3,6 +3,8 @@
 
 #include "tools/search_input.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -62,7 +64,22 @@ OrganisedCloud CloudOfDepthPicture(const SearchInput& input, const Image& image)
   return datasets::CloudOfDepth(depth, kMillimetre, pinhole, Eigen::Isometry3d::Identity());
 }
 
-OrganisedCloud CloudOfPair(const SearchInput& input, const Image& image) {
+// From two pictures in memory.
+OrganisedCloud MatchedCloud(const Image& left,
+                            const Image& right,
+                            perception::StereoMatcher matcher,
+                            int num_disparities,
+                            const CameraFile& file) {
+  const FloatImage disparity_px = perception::MatchPair(left, right, matcher, num_disparities);
+  return synthetic::CloudFromDepth(
+      perception::DepthOfDisparity(
+          disparity_px, file.camera.focal_px, *file.baseline_m, kFarthest_m),
+      file.camera);
+}
+
+OrganisedCloud CloudOfPair(const SearchInput& input,
+                           const Image& image,
+                           std::optional<perception::SearchStage>* matching) {
   const CameraFile file = ReadCamera(input, image);
   if (!file.baseline_m) {
     throw Error({.path = input.camera,
@@ -73,23 +90,31 @@ OrganisedCloud CloudOfPair(const SearchInput& input, const Image& image) {
   if (right.width() != image.width() || right.height() != image.height()) {
     RefuseSize(input.right, right.width(), right.height(), image);
   }
-  const float focal_px = file.camera.focal_px;
-  const int num_disparities = perception::NumDisparities(focal_px, *file.baseline_m, kNearest_m);
+  const int num_disparities =
+      perception::NumDisparities(file.camera.focal_px, *file.baseline_m, kNearest_m);
   if (num_disparities >= image.width()) {
     throw Error(
         {.path = input.camera,
          .reason = fmt::format(
              "{} disparities; the picture has {} columns", num_disparities, image.width())});
   }
-  const FloatImage disparity_px = perception::MatchPair(
-      image,
-      right,
-      input.stereo_method == SearchInput::kBlock ? perception::StereoMatcher::kBlock
-                                                 : perception::StereoMatcher::kSemiGlobal,
-      num_disparities);
-  return synthetic::CloudFromDepth(
-      perception::DepthOfDisparity(disparity_px, focal_px, *file.baseline_m, kFarthest_m),
-      file.camera);
+  const auto start = std::chrono::steady_clock::now();
+  OrganisedCloud cloud = MatchedCloud(image,
+                                      right,
+                                      input.stereo_method == SearchInput::kBlock
+                                          ? perception::StereoMatcher::kBlock
+                                          : perception::StereoMatcher::kSemiGlobal,
+                                      num_disparities,
+                                      file);
+  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+  if (matching != nullptr) {
+    const auto num_points =
+        std::count_if(cloud.points.begin(), cloud.points.end(), datasets::IsMeasured);
+    *matching = {.name = "matched",
+                 .num_pixels = static_cast<std::size_t>(num_points),
+                 .time_ms = time.count()};
+  }
+  return cloud;
 }
 
 void AddFile(CLI::App& command,
@@ -209,11 +234,14 @@ void RequireSearchFits(const SearchInput& input, std::size_t num_inputs) {
   RequireTableFits(input);
 }
 
-OrganisedCloud CloudFor(const SearchInput& input, const Image& image) {
+OrganisedCloud CloudFor(const SearchInput& input,
+                        const Image& image,
+                        std::optional<perception::SearchStage>* matching) {
   if (!input.cloud.empty()) {
     return datasets::ReadCloudOfPicture(input.cloud, datasets::SizeOf(image), input.cloud_unit_m);
   }
-  return input.depth.empty() ? CloudOfPair(input, image) : CloudOfDepthPicture(input, image);
+  return input.depth.empty() ? CloudOfPair(input, image, matching)
+                             : CloudOfDepthPicture(input, image);
 }
 
 perception::SearchRegionOptions RegionOptions(const SearchInput& input) {

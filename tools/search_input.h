@@ -47,8 +47,13 @@ void AddSearchOptions(CLI::App& command, SearchInput& input);
 void RequireSearchFits(const SearchInput& input, std::size_t num_inputs);
 
 /// Reads or forms the cloud of a picture, in the cloud's own frame or the camera's. Throws Error
-/// with the path: a file that cannot be read, or is of another size than the picture.
-[[nodiscard]] datasets::OrganisedCloud CloudFor(const SearchInput& input, const Image& image);
+/// with the path: a file that cannot be read, or is of another size than the picture. Of a stereo
+/// pair, `matching` becomes the stage "matched": pixels with a point, and the time from the two
+/// pictures in memory to the cloud.
+[[nodiscard]] datasets::OrganisedCloud CloudFor(
+    const SearchInput& input,
+    const Image& image,
+    std::optional<perception::SearchStage>* matching = nullptr);
 
 /// The options of the reduction that the command line gave.
 [[nodiscard]] perception::SearchRegionOptions RegionOptions(const SearchInput& input);

@@ -276,8 +276,10 @@ OrganisedCloud ReadCloudOfPicture(const std::filesystem::path& path,
   const bool has_points = header.num_points() > 0;
   if (has_points && (header.height > 1 || size == picture_size)) {
     RequireSameSize(path, "the cloud", size, picture_size);
-    cloud.points = ReadPoints(file, unit_m.value_or(header.unit_m)).points;
-    return cloud;
+    if (!header.index) {
+      cloud.points = ReadPoints(file, unit_m.value_or(header.unit_m)).points;
+      return cloud;
+    }
   }
   if (has_points && !header.index) {
     throw Error(

@@ -3,6 +3,7 @@
 
 #include "experiments/evaluation/confusion_table.h"
 
+#include <cmath>
 #include <cstddef>
 
 #include <fmt/format.h>
@@ -13,29 +14,35 @@
 namespace handcraft::experiments {
 namespace {
 
-std::string CountCell(std::size_t count, std::size_t row_total, bool is_right) {
-  const double share =
-      row_total == 0 ? 0.0 : static_cast<double>(count) / static_cast<double>(row_total);
+enum class Call { kRight, kWrong };
+
+std::string CountCell(std::size_t count, const Estimate& share, Call call) {
   return fmt::format(
       "<td style=\"background: rgba({}, {:.2f})\"><span class=\"count\">{}</span>"
-      "<span class=\"share\">{}</span></td>",
-      is_right ? "20, 140, 130" : "205, 95, 40",
-      0.08 + 0.5 * share,
+      "<span class=\"share\">{}</span><span class=\"range\">{}</span></td>",
+      call == Call::kRight ? "20, 140, 130" : "205, 95, 40",
+      0.08 + 0.5 * (std::isnan(share.value) ? 0.0 : share.value),
       count,
-      row_total == 0 ? "–" : PercentText(share));
+      PercentText(share.value),
+      PercentIntervalText(share));
 }
 
 }  // namespace
 
-std::string ConfusionTable(const ConfusionMatrix& matrix, double threshold) {
-  const std::size_t num_good = matrix.NumGood();
-  const std::size_t num_bad = matrix.NumBad();
-  return fmt::format(fmt::runtime(kConfusionTemplate),
-                     fmt::arg("threshold", fmt::format("{:g}", threshold)),
-                     fmt::arg("true_positive", CountCell(matrix.true_positive, num_good, true)),
-                     fmt::arg("false_negative", CountCell(matrix.false_negative, num_good, false)),
-                     fmt::arg("false_positive", CountCell(matrix.false_positive, num_bad, false)),
-                     fmt::arg("true_negative", CountCell(matrix.true_negative, num_bad, true)));
+std::string ConfusionTable(const ConfusionMatrix& matrix,
+                           const ConfusionRates& rates,
+                           double threshold) {
+  const Estimate& good_found = rates.true_positive_rate;
+  const Estimate& bad_refused = rates.true_negative_rate;
+  const Estimate good_missed = Complement(good_found);
+  const Estimate bad_taken = Complement(bad_refused);
+  return fmt::format(
+      fmt::runtime(kConfusionTemplate),
+      fmt::arg("threshold", fmt::format("{:g}", threshold)),
+      fmt::arg("true_positive", CountCell(matrix.true_positive, good_found, Call::kRight)),
+      fmt::arg("false_negative", CountCell(matrix.false_negative, good_missed, Call::kWrong)),
+      fmt::arg("false_positive", CountCell(matrix.false_positive, bad_taken, Call::kWrong)),
+      fmt::arg("true_negative", CountCell(matrix.true_negative, bad_refused, Call::kRight)));
 }
 
 }  // namespace handcraft::experiments

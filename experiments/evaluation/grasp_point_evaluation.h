@@ -13,7 +13,10 @@
 
 #include "datasets/formats/labelled_image_set.h"
 #include "experiments/metrics/binary_metrics.h"
+#include "experiments/metrics/confusion_rates.h"
+#include "experiments/metrics/curve_bands.h"
 #include "experiments/metrics/precision_recall.h"
+#include "experiments/metrics/probability_bins.h"
 #include "lib/core/image.h"
 #include "lib/core/progress.h"
 #include "lib/perception/search_region.h"
@@ -71,13 +74,23 @@ struct GroupFigures {
   std::size_t best_dont_care = 0;     ///< shown, not counted
   Estimate best_pixel_accuracy = {};  ///< the dissertation's measure; bootstrap over images
   ConfusionMatrix confusion = {};
-  Estimate accuracy = {};                 ///< bootstrap over images
-  Estimate auc = {};                      ///< bootstrap over images
+  ConfusionRates rates = {};  ///< this and what follows: bootstrap over images
+  Estimate accuracy = {};
+  Estimate auc = {};
   ConfusionMatrix strict_confusion = {};  ///< at best_min_probability
-  Estimate strict_accuracy = {};          ///< bootstrap over images
-  Estimate average_precision = {};        ///< bootstrap over images
-  Estimate log_loss = {};                 ///< bootstrap over images
-  Estimate brier = {};                    ///< bootstrap over images
+  ConfusionRates strict_rates = {};
+  Estimate strict_accuracy = {};
+  Estimate average_precision = {};
+  Estimate log_loss = {};
+  Estimate brier = {};
+};
+
+/// Over all images, for figures.
+struct PixelCurves {
+  std::vector<RocPoint> roc = {};
+  std::vector<PrecisionRecallPoint> precision_recall = {};
+  CurveBands bands = {};                         ///< around both
+  std::vector<ReliabilityBin> reliability = {};  ///< kNumReliabilityBins
 };
 
 struct GraspPointEvaluation {
@@ -86,8 +99,7 @@ struct GraspPointEvaluation {
   std::vector<ImageScore> images;
   GroupFigures all;
   std::vector<GroupFigures> classes;  ///< by name
-  std::vector<RocPoint> roc;
-  std::vector<PrecisionRecallPoint> precision_recall;
+  PixelCurves curves;
 };
 
 /// Scores every image of the set with the runtime and forms the figures. Figures that need good and

@@ -25,24 +25,31 @@ GroupRatio RatioOf(std::size_t part, std::size_t whole) {
   return {static_cast<double>(part), static_cast<double>(whole)};
 }
 
-// Confusion matrix of the drawn pixels and the share of right calls.
-Estimate AddConfusion(std::span<const ImageScore* const> images,
-                      double threshold,
-                      const EvaluationOptions& options,
-                      ConfusionMatrix& confusion) {
+// What calling the drawn pixels by a threshold comes to.
+struct Calls {
+  ConfusionMatrix confusion = {};
+  ConfusionRates rates = {};
+  Estimate accuracy = {};
+};
+Calls CallsAt(double threshold,
+              std::span<const ImageScore* const> images,
+              const EvaluationOptions& options) {
+  Calls calls;
+  std::vector<ConfusionMatrix> matrices;
   std::vector<GroupRatio> shares;
   for (const ImageScore* image : images) {
     const ConfusionMatrix matrix = CountConfusion(image->probabilities, image->labels, threshold);
-    confusion += matrix;
+    calls.confusion += matrix;
+    matrices.push_back(matrix);
     shares.push_back(RatioOf(matrix.true_positive + matrix.true_negative, matrix.Total()));
   }
-  return ShareOf(shares, options);
+  calls.rates =
+      EstimateRates(matrices, options.bootstrap_resamples, options.seed, options.num_threads);
+  calls.accuracy = ShareOf(shares, options);
+  return calls;
 }
 
-// What the order of the scores is worth.
-void AddRankingFigures(std::span<const ImageScore* const> images,
-                       const EvaluationOptions& options,
-                       GroupFigures& figures) {
+GroupedRanking RankingOf(std::span<const ImageScore* const> images) {
   std::vector<double> probabilities;
   std::vector<std::uint8_t> labels;
   std::vector<std::size_t> groups;
@@ -53,11 +60,7 @@ void AddRankingFigures(std::span<const ImageScore* const> images,
     labels.insert(labels.end(), image.labels.begin(), image.labels.end());
     groups.insert(groups.end(), image.labels.size(), k);
   }
-  const GroupedRanking ranking(probabilities, labels, groups, images.size());
-  const RankingEstimates estimates =
-      ranking.Bootstrap(options.bootstrap_resamples, options.seed, options.num_threads);
-  figures.auc = estimates.auc;
-  figures.average_precision = estimates.average_precision;
+  return {probabilities, labels, groups, images.size()};
 }
 
 // How far the probabilities are from the truth.
@@ -76,6 +79,26 @@ void AddProbabilityFigures(std::span<const ImageScore* const> images,
   }
   figures.log_loss = MeanOf(log_losses, options);
   figures.brier = MeanOf(squared_errors, options);
+}
+
+PixelCurves CurvesOf(const GraspPointEvaluation& evaluation,
+                     std::span<const ImageScore* const> images) {
+  const EvaluationOptions& options = evaluation.options;
+  const PooledPixels pooled = PoolPixels(evaluation.images);
+  std::vector<std::vector<ProbabilityBin>> bins;
+  bins.reserve(images.size());
+  for (const ImageScore* image : images) {
+    bins.push_back(BinProbabilities(image->probabilities, image->labels, kNumReliabilityBins));
+  }
+  return {
+      .roc = RocCurve(pooled.probabilities, pooled.labels, kMaxCurvePoints),
+      .precision_recall =
+          PrecisionRecallCurve(pooled.probabilities, pooled.labels, kMaxCurvePoints),
+      .bands = BootstrapCurveBands(
+          RankingOf(images), options.bootstrap_resamples, options.seed, options.num_threads),
+      .reliability =
+          EstimateReliability(bins, options.bootstrap_resamples, options.seed, options.num_threads),
+  };
 }
 
 }  // namespace
@@ -110,10 +133,18 @@ GroupFigures ComputeGroupFigures(const std::string& name,
     best_shares.push_back(RatioOf(counts.good, counts.good + counts.bad));
   }
   figures.best_pixel_accuracy = ShareOf(best_shares, options);
-  figures.accuracy = AddConfusion(images, options.threshold, options, figures.confusion);
-  figures.strict_accuracy =
-      AddConfusion(images, options.best_min_probability, options, figures.strict_confusion);
-  AddRankingFigures(images, options, figures);
+  const Calls calls = CallsAt(options.threshold, images, options);
+  figures.confusion = calls.confusion;
+  figures.rates = calls.rates;
+  figures.accuracy = calls.accuracy;
+  const Calls strict = CallsAt(options.best_min_probability, images, options);
+  figures.strict_confusion = strict.confusion;
+  figures.strict_rates = strict.rates;
+  figures.strict_accuracy = strict.accuracy;
+  const RankingEstimates order =
+      RankingOf(images).Bootstrap(options.bootstrap_resamples, options.seed, options.num_threads);
+  figures.auc = order.auc;
+  figures.average_precision = order.average_precision;
   AddProbabilityFigures(images, options, figures);
   return figures;
 }
@@ -140,10 +171,7 @@ void FormFigures(const datasets::LabelledImageSet& set, GraspPointEvaluation& ev
   for (const auto& [name, images] : by_class) {
     evaluation.classes.push_back(ComputeGroupFigures(name, images, evaluation.options));
   }
-  const PooledPixels pooled = PoolPixels(evaluation.images);
-  evaluation.roc = RocCurve(pooled.probabilities, pooled.labels, kMaxCurvePoints);
-  evaluation.precision_recall =
-      PrecisionRecallCurve(pooled.probabilities, pooled.labels, kMaxCurvePoints);
+  evaluation.curves = CurvesOf(evaluation, all);
 }
 
 }  // namespace handcraft::experiments

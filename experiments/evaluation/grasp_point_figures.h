@@ -36,7 +36,7 @@ struct PooledPixels {
 };
 [[nodiscard]] PooledPixels PoolPixels(std::span<const ImageScore> images);
 
-/// Fills evaluation.all, .classes (by name) and .roc from evaluation.images.
+/// Fills evaluation.all, .classes (by name) and .curves from evaluation.images.
 void FormFigures(const datasets::LabelledImageSet& set, GraspPointEvaluation& evaluation);
 
 }  // namespace handcraft::experiments

@@ -43,8 +43,12 @@ void AddFigures(const GroupFigures& figures, Json& json) {
   AddEstimate("log_loss", figures.log_loss, json);
   AddEstimate("brier", figures.brier, json);
   json["confusion"] = ConfusionJson(figures.confusion);
+  AddEstimate("true_positive_rate", figures.rates.true_positive_rate, json);
+  AddEstimate("true_negative_rate", figures.rates.true_negative_rate, json);
   AddEstimate("strict_accuracy", figures.strict_accuracy, json);
   json["strict_confusion"] = ConfusionJson(figures.strict_confusion);
+  AddEstimate("strict_true_positive_rate", figures.strict_rates.true_positive_rate, json);
+  AddEstimate("strict_true_negative_rate", figures.strict_rates.true_negative_rate, json);
 }
 
 Json ImageJson(const ImageScore& image, const datasets::LabelledImage& item) {
@@ -74,16 +78,23 @@ Json PrecisionRecallJson(const std::vector<PrecisionRecallPoint>& curve) {
   return json;
 }
 
-Json ReliabilityJson(const std::vector<ImageScore>& images) {
-  const PooledPixels pooled = PoolPixels(images);
+// [[x, low, high], …]
+Json BandJson(const std::vector<BandPoint>& band) {
   Json json = Json::array();
-  for (const ProbabilityBin& bin :
-       BinProbabilities(pooled.probabilities, pooled.labels, kNumReliabilityBins)) {
-    json.push_back({{"low", bin.low},
-                    {"high", bin.high},
-                    {"good", bin.num_good},
-                    {"bad", bin.num_bad},
-                    {"mean_probability", bin.mean_probability}});
+  for (const BandPoint& point : band) json.push_back({point.x, point.low, point.high});
+  return json;
+}
+
+Json ReliabilityJson(const std::vector<ReliabilityBin>& reliability) {
+  Json json = Json::array();
+  for (const ReliabilityBin& entry : reliability) {
+    Json bin = {{"low", entry.bin.low},
+                {"high", entry.bin.high},
+                {"good", entry.bin.num_good},
+                {"bad", entry.bin.num_bad},
+                {"mean_probability", entry.bin.mean_probability}};
+    AddEstimate("good_share", entry.good_share, bin);
+    json.push_back(std::move(bin));
   }
   return json;
 }
@@ -101,9 +112,12 @@ std::string ToJson(const GraspPointEvaluation& evaluation, const datasets::Label
     AddFigures(figures, entry);
     json["classes"].push_back(std::move(entry));
   }
-  json["roc"] = RocJson(evaluation.roc);
-  json["precision_recall"] = PrecisionRecallJson(evaluation.precision_recall);
-  json["reliability"] = ReliabilityJson(evaluation.images);
+  const PixelCurves& curves = evaluation.curves;
+  json["roc"] = RocJson(curves.roc);
+  json["roc_band"] = BandJson(curves.bands.roc);
+  json["precision_recall"] = PrecisionRecallJson(curves.precision_recall);
+  json["precision_recall_band"] = BandJson(curves.bands.precision_recall);
+  json["reliability"] = ReliabilityJson(curves.reliability);
   json["images"] = Json::array();
   for (const ImageScore& image : evaluation.images) {
     json["images"].push_back(ImageJson(image, set.items.at(image.item)));

@@ -65,7 +65,7 @@ std::string TilesText(const GraspPointEvaluation& evaluation) {
               DecimalIntervalText(all.auc, 3)) +
          Tile("Log-loss",
               DecimalText(all.log_loss.value, 3),
-              fmt::format("guessing one half gives {:.3f}", 0.6931471805599453)) +
+              DecimalIntervalText(all.log_loss, 3) + " guessing: 0.693") +
          "</div>\n";
 }
 
@@ -85,7 +85,9 @@ std::string FiguresRow(const GroupFigures& figures, bool is_total) {
                      fmt::arg("auc", DecimalText(figures.auc.value, 3)),
                      fmt::arg("auc_range", DecimalIntervalText(figures.auc, 3)),
                      fmt::arg("log_loss", DecimalText(figures.log_loss.value, 3)),
-                     fmt::arg("brier", DecimalText(figures.brier.value, 3)));
+                     fmt::arg("log_loss_range", DecimalIntervalText(figures.log_loss, 3)),
+                     fmt::arg("brier", DecimalText(figures.brier.value, 3)),
+                     fmt::arg("brier_range", DecimalIntervalText(figures.brier, 3)));
 }
 
 std::string FiguresText(const GraspPointEvaluation& evaluation) {
@@ -102,26 +104,25 @@ std::string FiguresText(const GraspPointEvaluation& evaluation) {
 
 std::string PlotsText(const GraspPointEvaluation& evaluation) {
   const PooledPixels pooled = PoolPixels(evaluation.images);
-  const auto bins = [&](std::size_t count) {
-    return BinProbabilities(pooled.probabilities, pooled.labels, count);
-  };
-  const std::vector<ProbabilityBin> reliability = bins(kNumReliabilityBins);
   const GroupFigures& all = evaluation.all;
   return fmt::format(
       fmt::runtime(kPlotsTemplate),
       fmt::arg("pixels", pooled.labels.size()),
       fmt::arg("cards",
                PixelCards({.confusion = all.confusion,
+                           .rates = all.rates,
                            .threshold = evaluation.options.threshold,
                            .strict_confusion = all.strict_confusion,
+                           .strict_rates = all.strict_rates,
                            .strict_threshold = evaluation.options.best_min_probability,
                            .auc = all.auc,
                            .average_precision = all.average_precision,
-                           .brier = all.brier.value,
-                           .roc = evaluation.roc,
-                           .precision_recall = evaluation.precision_recall,
-                           .reliability = reliability})),
-      fmt::arg("histogram", PlotScoreHistogram(bins(kNumHistogramBins)).ToInlineText()));
+                           .brier = all.brier},
+                          evaluation.curves)),
+      fmt::arg("histogram",
+               PlotScoreHistogram(
+                   BinProbabilities(pooled.probabilities, pooled.labels, kNumHistogramBins))
+                   .ToInlineText()));
 }
 
 std::string VerdictOf(const BestPixelCounts& best, const EvaluationOptions& options) {

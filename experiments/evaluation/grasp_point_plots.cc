@@ -15,41 +15,58 @@ double ShareOf(std::size_t part, std::size_t whole) {
   return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
+// Places that no resample has reached are left out.
+void AddBand(std::span<const BandPoint> band, SvgFigure& figure) {
+  std::vector<PlotPoint> low;
+  std::vector<PlotPoint> high;
+  for (const BandPoint& point : band) {
+    if (std::isnan(point.low)) continue;
+    low.push_back({point.x, point.low});
+    high.push_back({point.x, point.high});
+  }
+  figure.AddBand(low, high, Tone::kFirst);
+}
+
 }  // namespace
 
-SvgFigure PlotRoc(std::span<const RocPoint> curve) {
+SvgFigure PlotRoc(const PixelCurves& curves) {
   SvgFigure figure(
       "ROC curve", {.label = "bad pixels called good"}, {.label = "good pixels found"});
   std::vector<PlotPoint> points;
-  for (const RocPoint& point : curve) {
+  for (const RocPoint& point : curves.roc) {
     points.push_back({point.false_positive_rate, point.true_positive_rate});
   }
   figure.AddLine(kDiagonal, Tone::kQuiet, Stroke::kDashed);
-  figure.AddArea(points, Tone::kFirst);
+  AddBand(curves.bands.roc, figure);
   figure.AddLine(points, Tone::kFirst);
   return figure;
 }
 
-SvgFigure PlotPrecisionRecall(std::span<const PrecisionRecallPoint> curve) {
+SvgFigure PlotPrecisionRecall(const PixelCurves& curves) {
   SvgFigure figure("Precision-recall curve",
                    {.label = "good pixels found (recall)"},
                    {.label = "called good that are good (precision)"});
   std::vector<PlotPoint> points;
-  for (const PrecisionRecallPoint& point : curve) points.push_back({point.recall, point.precision});
-  figure.AddArea(points, Tone::kFirst);
+  for (const PrecisionRecallPoint& point : curves.precision_recall) {
+    points.push_back({point.recall, point.precision});
+  }
+  AddBand(curves.bands.precision_recall, figure);
   figure.AddLine(points, Tone::kFirst);
   return figure;
 }
 
-SvgFigure PlotReliability(std::span<const ProbabilityBin> bins) {
+SvgFigure PlotReliability(std::span<const ReliabilityBin> reliability) {
   SvgFigure figure("Reliability diagram",
                    {.label = "predicted probability"},
                    {.label = "share of pixels that are good"});
   figure.AddLine(kDiagonal, Tone::kQuiet, Stroke::kDashed);
   std::vector<PlotPoint> points;
-  for (const ProbabilityBin& bin : bins) {
-    if (bin.Total() == 0) continue;
-    points.push_back({bin.mean_probability, ShareOf(bin.num_good, bin.Total())});
+  for (const ReliabilityBin& entry : reliability) {
+    if (entry.bin.Total() == 0) continue;
+    const Estimate& share = entry.good_share;
+    points.push_back({entry.bin.mean_probability, share.value});
+    if (std::isnan(share.low)) continue;
+    figure.AddInterval(entry.bin.mean_probability, share.low, share.high, Tone::kThird);
   }
   figure.AddLine(points, Tone::kThird);
   for (const PlotPoint& point : points) figure.AddMarker(point, Tone::kThird);

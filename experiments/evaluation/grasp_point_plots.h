@@ -12,15 +12,16 @@
 
 namespace handcraft::experiments {
 
-/// True against false positive rate, with the diagonal of guessing. An empty curve gives the empty
-/// frame.
-[[nodiscard]] SvgFigure PlotRoc(std::span<const RocPoint> curve);
+/// True against false positive rate with its band, and the diagonal of guessing. Empty curves give
+/// the empty frame, here and below.
+[[nodiscard]] SvgFigure PlotRoc(const PixelCurves& curves);
 
-/// Precision against recall. An empty curve gives the empty frame.
-[[nodiscard]] SvgFigure PlotPrecisionRecall(std::span<const PrecisionRecallPoint> curve);
+/// Precision against recall, with its band.
+[[nodiscard]] SvgFigure PlotPrecisionRecall(const PixelCurves& curves);
 
-/// Share of good pixels against mean probability, one marker a bin that has any.
-[[nodiscard]] SvgFigure PlotReliability(std::span<const ProbabilityBin> bins);
+/// Share of good pixels against mean probability, a marker with its interval for each bin that has
+/// any.
+[[nodiscard]] SvgFigure PlotReliability(std::span<const ReliabilityBin> reliability);
 
 /// Share of the good and of the bad pixels a bin holds, side by side.
 [[nodiscard]] SvgFigure PlotScoreHistogram(std::span<const ProbabilityBin> bins);

@@ -30,7 +30,7 @@ inline constexpr std::string_view kFiguresTemplate = R"html(<h2>By class</h2>
 )html";
 
 inline constexpr std::string_view kFiguresRowTemplate =
-    R"html(<tr{row_class}><th scope="row">{name}</th><td class="number">{images}</td><td class="number">{silent}</td><td class="number">{good} / {counted}</td><td class="number">{dont_care}</td><td class="number">{best}<span class="range">{best_range}</span></td><td class="number">{accuracy}<span class="range">{accuracy_range}</span></td><td class="number">{auc}<span class="range">{auc_range}</span></td><td class="number">{log_loss}</td><td class="number">{brier}</td></tr>
+    R"html(<tr{row_class}><th scope="row">{name}</th><td class="number">{images}</td><td class="number">{silent}</td><td class="number">{good} / {counted}</td><td class="number">{dont_care}</td><td class="number">{best}<span class="range">{best_range}</span></td><td class="number">{accuracy}<span class="range">{accuracy_range}</span></td><td class="number">{auc}<span class="range">{auc_range}</span></td><td class="number">{log_loss}<span class="range">{log_loss_range}</span></td><td class="number">{brier}<span class="range">{brier_range}</span></td></tr>
 )html";
 
 inline constexpr std::string_view kConfusionTemplate = R"html(<table class="confusion">
@@ -43,15 +43,15 @@ inline constexpr std::string_view kConfusionTemplate = R"html(<table class="conf
 
 inline constexpr std::string_view kPixelCardsTemplate =
     R"html(<figure class="card"><h3>Confusion matrix</h3>
-{confusion}<figcaption>Counts, and their share of the row.</figcaption></figure>
+{confusion}<figcaption>Counts, and their share of the row with its 95 % interval.</figcaption></figure>
 <figure class="card"><h3>Confusion matrix, strict</h3>
 {strict_confusion}<figcaption>At the probability that best pixels must exceed.</figcaption></figure>
 <figure class="card"><h3>ROC curve, area {auc}</h3>
-{roc}<figcaption>The dashed line is guessing.</figcaption></figure>
+{roc}<figcaption>Band: 95 % over images, up and down. The dashed line is guessing.</figcaption></figure>
 <figure class="card"><h3>Precision and recall, average precision {average_precision}</h3>
-{precision_recall}<figcaption>Guessing gives the share of good pixels, one half here.</figcaption></figure>
+{precision_recall}<figcaption>Band: 95 % over images, up and down. Guessing gives the share of good pixels, one half here.</figcaption></figure>
 <figure class="card"><h3>Reliability, Brier score {brier}</h3>
-{reliability}<figcaption>On the dashed line a probability means what it says, were good and bad pixels equally common.</figcaption></figure>
+{reliability}<figcaption>Bars: 95 % over images. On the dashed line a probability means what it says, were good and bad pixels equally common.</figcaption></figure>
 )html";
 
 inline constexpr std::string_view kPlotsTemplate = R"html(<h2>Pixel by pixel</h2>

@@ -43,7 +43,7 @@ p { margin: .3rem 0 .9rem; max-width: 46rem; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; width: 100%; font-size: .92rem; font-variant-numeric: tabular-nums; }
 th { font-weight: 600; text-align: left; color: var(--quiet); font-size: .82rem; vertical-align: bottom; }
-th, td { padding: .5rem .6rem; border-bottom: 1px solid var(--line); white-space: nowrap; }
+th, td { padding: .5rem .4rem; border-bottom: 1px solid var(--line); white-space: nowrap; }
 td { vertical-align: top; }
 td.number, th.number { text-align: right; }
 td .range { display: block; color: var(--quiet); font-size: .82rem; }
@@ -66,6 +66,7 @@ svg .line.first { stroke: var(--first); } svg .line.second { stroke: var(--secon
 .confusion td { border: 3px solid var(--card); border-radius: 8px; text-align: center; vertical-align: middle; padding: 2.1rem .3rem; white-space: normal; }
 .confusion .count { display: block; font-size: 1.3rem; font-weight: 600; }
 .confusion .share { display: block; font-size: .85rem; }
+.confusion td .range { color: inherit; }
 .gallery { display: grid; grid-template-columns: repeat(auto-fill, minmax(19rem, 1fr)); gap: 1.1rem; margin-top: .8rem; }
 .gallery .card { margin: 0; overflow: hidden; }
 .gallery .overlay { display: block; width: 100%; height: auto; }

@@ -11,18 +11,20 @@
 #include "experiments/evaluation/html_text.h"
 
 namespace handcraft::experiments {
-std::string PixelCards(const PixelFigures& figures) {
+
+std::string PixelCards(const PixelFigures& figures, const PixelCurves& curves) {
   return fmt::format(
       fmt::runtime(kPixelCardsTemplate),
-      fmt::arg("confusion", ConfusionTable(figures.confusion, figures.threshold)),
-      fmt::arg("roc", PlotRoc(figures.roc).ToInlineText()),
+      fmt::arg("confusion", ConfusionTable(figures.confusion, figures.rates, figures.threshold)),
+      fmt::arg("roc", PlotRoc(curves).ToInlineText()),
       fmt::arg("auc", DecimalEstimateText(figures.auc, 3)),
-      fmt::arg("precision_recall", PlotPrecisionRecall(figures.precision_recall).ToInlineText()),
+      fmt::arg("precision_recall", PlotPrecisionRecall(curves).ToInlineText()),
       fmt::arg("average_precision", DecimalEstimateText(figures.average_precision, 3)),
-      fmt::arg("strict_confusion",
-               ConfusionTable(figures.strict_confusion, figures.strict_threshold)),
-      fmt::arg("reliability", PlotReliability(figures.reliability).ToInlineText()),
-      fmt::arg("brier", DecimalText(figures.brier, 3)));
+      fmt::arg(
+          "strict_confusion",
+          ConfusionTable(figures.strict_confusion, figures.strict_rates, figures.strict_threshold)),
+      fmt::arg("reliability", PlotReliability(curves.reliability).ToInlineText()),
+      fmt::arg("brier", DecimalEstimateText(figures.brier, 3)));
 }
 
 }  // namespace handcraft::experiments

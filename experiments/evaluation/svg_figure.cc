@@ -147,17 +147,14 @@ void SvgFigure::AddLine(std::span<const PlotPoint> points, Tone tone, Stroke str
                           PathOf(points));
 }
 
-void SvgFigure::AddArea(std::span<const PlotPoint> points, Tone tone) {
-  if (points.empty()) return;
-  const double base = YPx(y_.low);
-  content_ +=
-      fmt::format("<path {} fill-opacity=\"0.14\" d=\"{} L{:.1f} {:.1f} L{:.1f} {:.1f} Z\"/>\n",
-                  FillStyle("area", tone),
-                  PathOf(points),
-                  XPx(points.back().x),
-                  base,
-                  XPx(points.front().x),
-                  base);
+void SvgFigure::AddBand(std::span<const PlotPoint> low,
+                        std::span<const PlotPoint> high,
+                        Tone tone) {
+  if (low.empty() || high.empty()) return;
+  std::vector<PlotPoint> outline(low.begin(), low.end());
+  outline.insert(outline.end(), high.rbegin(), high.rend());
+  content_ += fmt::format(
+      "<path {} fill-opacity=\"0.2\" d=\"{} Z\"/>\n", FillStyle("band", tone), PathOf(outline));
 }
 
 void SvgFigure::AddBar(PlotPoint low, PlotPoint high, Tone tone) {

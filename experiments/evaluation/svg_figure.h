@@ -47,8 +47,8 @@ class SvgFigure {
   SvgFigure(std::string title, Axis x, Axis y, int width_px = 420, int height_px = 330);
 
   void AddLine(std::span<const PlotPoint> points, Tone tone, Stroke stroke = Stroke::kSolid);
-  /// Fills between the line and y = the axis' low end.
-  void AddArea(std::span<const PlotPoint> points, Tone tone);
+  /// Fills between two lines, such as the ends of intervals.
+  void AddBand(std::span<const PlotPoint> low, std::span<const PlotPoint> high, Tone tone);
   /// A bar between two corners.
   void AddBar(PlotPoint low, PlotPoint high, Tone tone);
   void AddMarker(PlotPoint point, Tone tone);

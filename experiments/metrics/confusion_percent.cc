@@ -8,32 +8,34 @@
 namespace handcraft::experiments {
 namespace {
 
-// 100 · weight · part / whole; NaN for an empty whole.
-double Percent(double weight, std::size_t part, std::size_t whole) noexcept {
-  return 100.0 * weight * static_cast<double>(part) / static_cast<double>(whole);
+Estimate Percent(double weight, const Estimate& share) noexcept {
+  const double factor = 100.0 * weight;
+  return {factor * share.value, factor * share.low, factor * share.high};
 }
 
 }  // namespace
 
-ConfusionPercent PercentOf(const ConfusionMatrix& matrix) noexcept {
-  const std::size_t total = matrix.Total();
-  return {
-      {{Percent(1.0, matrix.true_negative, total), Percent(1.0, matrix.false_positive, total)},
-       {Percent(1.0, matrix.false_negative, total), Percent(1.0, matrix.true_positive, total)}}};
-}
-
-ConfusionPercent PercentAtBadShare(const ConfusionMatrix& matrix, double bad_share) {
+ConfusionPercentEstimate PercentAtBadShare(const ConfusionRates& rates, double bad_share) {
   HC_CHECK(bad_share >= 0.0 && bad_share <= 1.0, bad_share);
   const double good_share = 1.0 - bad_share;
-  return {{{Percent(bad_share, matrix.true_negative, matrix.NumBad()),
-            Percent(bad_share, matrix.false_positive, matrix.NumBad())},
-           {Percent(good_share, matrix.false_negative, matrix.NumGood()),
-            Percent(good_share, matrix.true_positive, matrix.NumGood())}}};
+  return {{{Percent(bad_share, rates.true_negative_rate),
+            Percent(bad_share, Complement(rates.true_negative_rate))},
+           {Percent(good_share, Complement(rates.true_positive_rate)),
+            Percent(good_share, rates.true_positive_rate)}}};
+}
+
+ConfusionPercent ValuesOf(const ConfusionPercentEstimate& percent) noexcept {
+  return {{{percent[0][0].value, percent[0][1].value}, {percent[1][0].value, percent[1][1].value}}};
 }
 
 double BadShareOf(const ConfusionPercent& percent) noexcept {
   const double bad = percent[0][0] + percent[0][1];
   return bad / (bad + percent[1][0] + percent[1][1]);
+}
+
+double BadShareOf(const ConfusionMatrix& matrix) noexcept {
+  if (matrix.Total() == 0) return 0.0;
+  return static_cast<double>(matrix.NumBad()) / static_cast<double>(matrix.Total());
 }
 
 }  // namespace handcraft::experiments

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "experiments/metrics/binary_metrics.h"
+#include "experiments/metrics/confusion_rates.h"
 
 namespace handcraft::experiments {
 
@@ -16,15 +16,21 @@ using ConfusionPercent = std::array<std::array<double, 2>, 2>;
 /// Of linear discriminant analysis on 330035 pixels (dissertation, section 3.1.4).
 inline constexpr ConfusionPercent kDissertationLda = {{{54.20, 8.14}, {3.10, 34.56}}};
 
-/// NaN when the matrix is empty.
-[[nodiscard]] ConfusionPercent PercentOf(const ConfusionMatrix& matrix) noexcept;
+/// The same layout, each entry with its interval.
+using ConfusionPercentEstimate = std::array<std::array<Estimate, 2>, 2>;
 
-/// What it would be if `bad_share` of the samples, in [0, 1], were bad, each class being told as
-/// often as it is: matrices of different class ratios can be compared only so. NaN for a class that
-/// is missing. Throws std::logic_error on another share.
-[[nodiscard]] ConfusionPercent PercentAtBadShare(const ConfusionMatrix& matrix, double bad_share);
+/// What it is if `bad_share` of the samples, in [0, 1], are bad, each class being told as often as
+/// `rates` have it: matrices of different class ratios can be compared only so. The share is taken
+/// as known; what varies are the rates. NaN for a class that is missing. Throws std::logic_error on
+/// another share.
+[[nodiscard]] ConfusionPercentEstimate PercentAtBadShare(const ConfusionRates& rates,
+                                                         double bad_share);
 
-/// The share of bad samples in a table of percents.
+/// Without the intervals.
+[[nodiscard]] ConfusionPercent ValuesOf(const ConfusionPercentEstimate& percent) noexcept;
+
+/// The share of bad samples in a table of percents, and in a matrix (0 of an empty one).
 [[nodiscard]] double BadShareOf(const ConfusionPercent& percent) noexcept;
+[[nodiscard]] double BadShareOf(const ConfusionMatrix& matrix) noexcept;
 
 }  // namespace handcraft::experiments

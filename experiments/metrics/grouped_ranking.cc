@@ -53,7 +53,7 @@ std::array<GroupedRanking::Ranks, kLanes> GroupedRanking::RanksOf(
   Lanes<kLanes> twice_losses{};  // of good samples to the bad ones above them, half to their ties
   Lanes<kLanes> precision_sum{};
   bool has_good = false;
-  for (const Sample& sample : descending_) {
+  for (const RankedSample& sample : descending_) {
     const Lanes<kLanes>& times = times_drawn[sample.group];
     has_good = has_good || sample.is_good;
     Lanes<kLanes>& counted = sample.is_good ? good : bad;

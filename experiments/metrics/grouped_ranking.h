@@ -18,6 +18,13 @@ struct RankingEstimates {
   Estimate average_precision;
 };
 
+/// A sample among all of a ranking, the highest score first.
+struct RankedSample {
+  std::uint32_t group = 0;
+  bool is_good = false;
+  bool ends_tie = false;  ///< the next sample has a lower score, or there is none
+};
+
 /// Figures of the order of scores, of resampled groups (images): what the bootstrap asks for a
 /// thousand times. The samples are sorted once; resamples then take a linear pass, eight at a time,
 /// in which a sample counts as often as its group was drawn.
@@ -50,12 +57,11 @@ class GroupedRanking {
                                            std::uint64_t seed,
                                            int num_threads) const;
 
+  /// All samples by descending score, as long as this object lives.
+  [[nodiscard]] std::span<const RankedSample> Descending() const noexcept { return descending_; }
+  [[nodiscard]] std::size_t num_groups() const noexcept { return num_groups_; }
+
  private:
-  struct Sample {
-    std::uint32_t group = 0;
-    bool is_good = false;
-    bool ends_tie = false;  ///< the next sample has a lower score, or there is none
-  };
   struct Ranks {
     double auc = 0.0;
     double average_precision = 0.0;
@@ -66,7 +72,7 @@ class GroupedRanking {
   [[nodiscard]] std::array<Ranks, kLanes> RanksOf(std::span<const Lanes<kLanes>> times_drawn) const;
   [[nodiscard]] Ranks RanksOfOne(std::span<const std::size_t> drawn_groups) const;
 
-  std::vector<Sample> descending_;
+  std::vector<RankedSample> descending_;
   std::size_t num_groups_;
 };
 

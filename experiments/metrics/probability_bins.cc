@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "experiments/metrics/grouped_ratio.h"
 #include "lib/core/check.h"
 
 namespace handcraft::experiments {
@@ -36,6 +37,33 @@ std::vector<ProbabilityBin> BinProbabilities(std::span<const float> probabilitie
                                    : sums[b] / static_cast<double>(bins[b].Total());
   }
   return bins;
+}
+
+std::vector<ReliabilityBin> EstimateReliability(std::span<const std::vector<ProbabilityBin>> groups,
+                                                std::size_t num_resamples,
+                                                std::uint64_t seed,
+                                                int num_threads) {
+  const std::size_t num_bins = groups.empty() ? 0 : groups.front().size();
+  std::vector<ReliabilityBin> reliability(num_bins);
+  for (std::size_t b = 0; b < num_bins; ++b) {
+    ProbabilityBin& all = reliability[b].bin;
+    all = {.low = groups.front()[b].low, .high = groups.front()[b].high};
+    double sum = 0.0;
+    std::vector<GroupRatio> shares;
+    for (const std::vector<ProbabilityBin>& group : groups) {
+      HC_CHECK(group.size() == num_bins, group.size(), num_bins);
+      const ProbabilityBin& part = group[b];
+      const auto count = static_cast<double>(part.Total());
+      if (part.Total() > 0) sum += count * part.mean_probability;
+      all.num_good += part.num_good;
+      all.num_bad += part.num_bad;
+      shares.push_back({static_cast<double>(part.num_good), count});
+    }
+    all.mean_probability = all.Total() == 0 ? std::numeric_limits<double>::quiet_NaN()
+                                            : sum / static_cast<double>(all.Total());
+    reliability[b].good_share = EstimateShare(shares, num_resamples, seed, num_threads);
+  }
+  return reliability;
 }
 
 }  // namespace handcraft::experiments

@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "experiments/metrics/binary_metrics.h"
+
 namespace handcraft::experiments {
 
 /// Of a reliability diagram.
@@ -31,5 +33,19 @@ struct ProbabilityBin {
 [[nodiscard]] std::vector<ProbabilityBin> BinProbabilities(std::span<const float> probabilities,
                                                            std::span<const std::uint8_t> labels,
                                                            std::size_t num_bins);
+
+/// A bin of a reliability diagram: its samples, and how many of them are good, with 95 %.
+struct ReliabilityBin {
+  ProbabilityBin bin = {};
+  Estimate good_share = {};  ///< NaN when the bin is empty
+};
+
+/// The bins of all groups (images) together; `groups` holds the bins of each, as many in all.
+/// Intervals: EstimateShare (grouped_ratio.h), a group that has nothing in a bin being drawn too.
+[[nodiscard]] std::vector<ReliabilityBin> EstimateReliability(
+    std::span<const std::vector<ProbabilityBin>> groups,
+    std::size_t num_resamples,
+    std::uint64_t seed,
+    int num_threads = 1);
 
 }  // namespace handcraft::experiments

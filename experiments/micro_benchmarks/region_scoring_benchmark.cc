@@ -16,7 +16,6 @@
 #include "experiments/micro_benchmarks/random_picture.h"
 #include "lib/core/rng.h"
 #include "lib/features/pixel_scorer.h"
-#include "lib/features/row_runs.h"
 
 namespace handcraft::experiments {
 namespace {
@@ -65,12 +64,8 @@ void Score(benchmark::State& state,
     benchmark::ClobberMemory();
   }
   ::operator delete (workspace, std::align_val_t{64});
-  const features::internal::RegionBox box =
-      features::internal::BoxOf(mask, image.width(), image.height());
-  const int radius = spec.window / 2;
-  state.counters["costs"] =
-      static_cast<double>(features::internal::SparseCost(mask, box, radius)) /
-      static_cast<double>(features::internal::DenseCost(image.width(), image.height(), radius));
+  state.counters["sparse_is_chosen"] =
+      scorer.CheaperWay(image.width(), image.height(), mask) == ScoringWay::kSparse ? 1 : 0;
 }
 
 void Register(const std::string& spec, const std::string& name, const Bytes& wanted) {

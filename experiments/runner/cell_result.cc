@@ -12,6 +12,7 @@
 #include "experiments/runner/result_columns.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
+#include "lib/core/sha256.h"
 
 namespace handcraft::experiments {
 namespace {
@@ -20,15 +21,16 @@ using Json = nlohmann::ordered_json;
 
 ImageFigures FiguresOf(const ImageScore& score,
                        const datasets::LabelledImage& item,
-                       double threshold) {
+                       const EvaluationOptions& options) {
   ImageFigures figures{.image = item.image,
                        .object_class = item.object_class,
                        .best = CountBestPixels(score),
                        .num_pixels = score.labels.size()};
   if (score.labels.empty()) return figures;
-  const ConfusionMatrix matrix = CountConfusion(score.probabilities, score.labels, threshold);
+  figures.confusion = CountConfusion(score.probabilities, score.labels, options.threshold);
+  figures.strict_confusion =
+      CountConfusion(score.probabilities, score.labels, options.best_min_probability);
   const auto count = static_cast<double>(score.labels.size());
-  figures.num_right = matrix.true_positive + matrix.true_negative;
   figures.log_loss_sum = count * LogLoss(score.probabilities, score.labels);
   figures.squared_error_sum = count * BrierScore(score.probabilities, score.labels);
   return figures;
@@ -57,10 +59,10 @@ auto ReadFrom(const Json& json) {
   return [&json](const std::string& name, auto& number) { ReadNumber(json.at(name), number); };
 }
 
-// At most kMaxCurvePoints of them, both ends kept.
+// At most 101 of them, both ends kept.
 template <class Point>
 std::vector<Point> Thinned(const std::vector<Point>& curve) {
-  constexpr std::size_t kMost = PixelCurves::kMaxCurvePoints;
+  constexpr std::size_t kMost = 101;
   if (curve.size() <= kMost) return curve;
   std::vector<Point> kept;
   kept.reserve(kMost);
@@ -70,12 +72,17 @@ std::vector<Point> Thinned(const std::vector<Point>& curve) {
   return kept;
 }
 
-PixelCurves CurvesOf(const GraspPointEvaluation& evaluation) {
-  const PooledPixels pooled = PoolPixels(evaluation.images);
-  return {
-      .roc = Thinned(evaluation.roc),
-      .precision_recall = Thinned(evaluation.precision_recall),
-      .reliability = BinProbabilities(pooled.probabilities, pooled.labels, kNumReliabilityBins)};
+PixelCurves Thinned(const PixelCurves& curves) {
+  return {.roc = Thinned(curves.roc),
+          .precision_recall = Thinned(curves.precision_recall),
+          .bands = curves.bands,
+          .reliability = curves.reliability};
+}
+
+Json ToJson(const std::vector<BandPoint>& band) {
+  Json json = Json::array();
+  for (const BandPoint& point : band) json.push_back({point.x, point.low, point.high});
+  return json;
 }
 
 Json ToJson(const PixelCurves& curves) {
@@ -87,11 +94,30 @@ Json ToJson(const PixelCurves& curves) {
   for (const PrecisionRecallPoint& point : curves.precision_recall) {
     json["precision_recall"].push_back({point.recall, point.precision});
   }
-  for (const ProbabilityBin& bin : curves.reliability) {
-    json["reliability"].push_back(
-        {bin.low, bin.high, bin.num_good, bin.num_bad, bin.mean_probability});
+  for (const auto& [bin, share] : curves.reliability) {
+    json["reliability"].push_back({bin.low,
+                                   bin.high,
+                                   bin.num_good,
+                                   bin.num_bad,
+                                   bin.mean_probability,
+                                   share.value,
+                                   share.low,
+                                   share.high});
   }
+  json["roc_band"] = ToJson(curves.bands.roc);
+  json["precision_recall_band"] = ToJson(curves.bands.precision_recall);
   return json;
+}
+
+std::vector<BandPoint> BandFrom(const Json& json) {
+  std::vector<BandPoint> band;
+  for (const Json& entry : json) {
+    BandPoint point{.x = entry.at(0)};
+    ReadNumber(entry.at(1), point.low);
+    ReadNumber(entry.at(2), point.high);
+    band.push_back(point);
+  }
+  return band;
 }
 
 PixelCurves CurvesFrom(const Json& json) {
@@ -101,11 +127,18 @@ PixelCurves CurvesFrom(const Json& json) {
     curves.precision_recall.push_back({point.at(0), point.at(1)});
   }
   for (const Json& entry : json.at("reliability")) {
-    ProbabilityBin bin{
-        .low = entry.at(0), .high = entry.at(1), .num_good = entry.at(2), .num_bad = entry.at(3)};
-    ReadNumber(entry.at(4), bin.mean_probability);
+    ReliabilityBin bin{.bin = {.low = entry.at(0),
+                               .high = entry.at(1),
+                               .num_good = entry.at(2),
+                               .num_bad = entry.at(3)}};
+    ReadNumber(entry.at(4), bin.bin.mean_probability);
+    ReadNumber(entry.at(5), bin.good_share.value);
+    ReadNumber(entry.at(6), bin.good_share.low);
+    ReadNumber(entry.at(7), bin.good_share.high);
     curves.reliability.push_back(bin);
   }
+  curves.bands = {.roc = BandFrom(json.at("roc_band")),
+                  .precision_recall = BandFrom(json.at("precision_recall_band"))};
   return curves;
 }
 
@@ -160,6 +193,14 @@ CellResult FromJson(const Json& json) {
   return result;
 }
 
+constexpr const char* kChecksum = "sha256";
+
+// Numbers are written with as many digits as tell them apart, so that the text can be formed again.
+std::string ChecksumOf(const Json& without_checksum) {
+  const std::string text = JsonText(without_checksum);
+  return Sha256Hex({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
 }  // namespace
 
 CellResult MakeCellResult(const std::string& id,
@@ -173,39 +214,40 @@ CellResult MakeCellResult(const std::string& id,
                     .termination = training.termination,
                     .training_log_loss = training.log_loss,
                     .groups = evaluation.classes,
-                    .curves = CurvesOf(evaluation),
+                    .curves = Thinned(evaluation.curves),
                     .search_space = SearchSpaceOf(evaluation.images),
                     .features_time_s = training.features_time_s,
                     .training_time_s = training.training_time_s,
                     .score_time_ms = MedianScoreMs(evaluation.images)};
   result.groups.push_back(evaluation.all);
   for (const ImageScore& image : evaluation.images) {
-    result.images.push_back(
-        FiguresOf(image, test.items.at(image.item), evaluation.options.threshold));
+    result.images.push_back(FiguresOf(image, test.items.at(image.item), evaluation.options));
   }
   return result;
 }
 
 void WriteCellResult(const std::filesystem::path& path, const CellResult& result) {
-  WriteFileAtomically(path, JsonText(ToJson(result)));
+  Json json = ToJson(result);
+  json[kChecksum] = ChecksumOf(json);
+  WriteFileAtomically(path, JsonText(json));
 }
 
 CellResult ReadCellResult(const std::filesystem::path& path, const std::string& id) {
+  const auto fail = [&path](const std::string& reason) -> Error {
+    return Error({.path = path.string(), .reason = reason});
+  };
   const std::string text = ReadTextFile(path);
-  const std::string remedy = "remove the file: its cell will be worked out again";
   try {
-    CellResult result = FromJson(Json::parse(text));
-    if (result.groups.empty()) {
-      throw Error({.path = path.string(), .reason = "has no figures", .remedy = remedy});
-    }
-    if (result.id == id) return result;
-    throw Error({.path = path.string(),
-                 .reason = "holds the cell " + result.id + ", not " + id,
-                 .remedy = remedy});
+    Json json = Json::parse(text);
+    const std::string written = json.at(kChecksum);
+    json.erase(kChecksum);
+    if (ChecksumOf(json) != written) throw fail("has been changed since it was written");
+    CellResult result = FromJson(json);
+    if (result.groups.empty()) throw fail("has no figures");
+    if (result.id != id) throw fail("holds the cell " + result.id + ", not " + id);
+    return result;
   } catch (const Json::exception& error) {
-    throw Error({.path = path.string(),
-                 .reason = std::string("is no result of a cell: ") + error.what(),
-                 .remedy = remedy});
+    throw fail(std::string("is no result of a cell: ") + error.what());
   }
 }
 

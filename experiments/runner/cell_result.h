@@ -11,7 +11,6 @@
 #include "datasets/formats/labelled_image_set.h"
 #include "experiments/evaluation/grasp_point_evaluation.h"
 #include "experiments/evaluation/grasp_point_figures.h"
-#include "experiments/metrics/probability_bins.h"
 #include "experiments/runner/cell_training.h"
 #include "experiments/runner/search_space_figures.h"
 
@@ -23,17 +22,10 @@ struct ImageFigures {
   std::string object_class = {};
   BestPixelCounts best = {};
   std::size_t num_pixels = 0;      ///< labelled pixels scored
-  std::size_t num_right = 0;       ///< of them, called rightly at the threshold
+  ConfusionMatrix confusion = {};  ///< of them, at the threshold
+  ConfusionMatrix strict_confusion = {};
   double log_loss_sum = 0.0;       ///< over those pixels
   double squared_error_sum = 0.0;  ///< over those pixels
-};
-
-/// The curves of a cell over all its pictures, for the report.
-struct PixelCurves {
-  std::vector<RocPoint> roc = {};                           ///< at most kMaxCurvePoints
-  std::vector<PrecisionRecallPoint> precision_recall = {};  ///< as many at most
-  std::vector<ProbabilityBin> reliability = {};             ///< kNumReliabilityBins
-  static constexpr std::size_t kMaxCurvePoints = 101;
 };
 
 /// Processor-independent results of a cell, and beside them its times.
@@ -46,7 +38,7 @@ struct CellResult {
   double training_log_loss = 0.0;
   std::vector<GroupFigures> groups = {};  ///< the classes by name, then "all"
   std::vector<ImageFigures> images = {};  ///< in the order of the set
-  PixelCurves curves = {};
+  PixelCurves curves = {};                ///< of at most 101 points
   SearchSpaceFigures search_space = {};
   double features_time_s = 0.0;
   double training_time_s = 0.0;
@@ -58,8 +50,9 @@ struct CellResult {
                                         const GraspPointEvaluation& evaluation,
                                         const datasets::LabelledImageSet& test);
 
-/// A finished cell as a file of its own: written atomically, read back bit for bit. Reading throws
-/// Error naming the file when it is damaged or of another cell.
+/// A finished cell as a file of its own, with its checksum (SHA-256 of the text of the rest):
+/// written atomically, read back bit for bit. Reading throws Error naming the file when it is cut
+/// off, when anything in it has been changed since, or when it is of another cell.
 void WriteCellResult(const std::filesystem::path& path, const CellResult& result);
 [[nodiscard]] CellResult ReadCellResult(const std::filesystem::path& path, const std::string& id);
 

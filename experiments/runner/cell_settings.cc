@@ -49,6 +49,20 @@ void ApplyClassifier(const Setting& setting, CellSettings& settings) {
   settings.classifier = setting.value == "lda" ? Classifier::kLda : Classifier::kLogistic;
 }
 
+void ApplyShrinkage(const Setting& setting, CellSettings& settings) {
+  constexpr std::string_view kRule = "a number in [0, 1], or auto";
+  const bool is_auto = setting.value == "auto";
+  settings.shrinkage = is_auto ? 0.0 : ParseNumber<double>(setting, kRule);
+  if (!(settings.shrinkage >= 0.0 && settings.shrinkage <= 1.0)) FailSetting(setting, kRule);
+  settings.shrinkage_rule = is_auto ? lda::ShrinkageRule::kLedoitWolf : lda::ShrinkageRule::kFixed;
+}
+
+void ApplyPrior(const Setting& setting, CellSettings& settings) {
+  constexpr std::string_view kRule = "a probability in [0, 1), 0 meaning as in the samples";
+  settings.prior = ParseNumber<double>(setting, kRule);
+  if (!(settings.prior >= 0.0 && settings.prior < 1.0)) FailSetting(setting, kRule);
+}
+
 void ApplyRegion(const Setting& setting, CellSettings& settings) {
   if (setting.value != "picture" && setting.value != "object") {
     FailSetting(setting, "picture or object");
@@ -84,6 +98,8 @@ constexpr std::array kKeys = {
     Key{"window", &ApplyWindow},
     Key{"classifier", &ApplyClassifier},
     Key{"ridge", &ApplyRidge},
+    Key{"shrinkage", &ApplyShrinkage},
+    Key{"prior", &ApplyPrior},
     Key{"training_share",
         [](const Setting& setting, CellSettings& settings) {
           settings.training_share = ParsePositive(setting, 1.0, "a share in (0, 1]");

@@ -13,6 +13,7 @@
 
 #include "experiments/runner/setting.h"
 #include "lib/features/feature_spec.h"
+#include "trainers/lda/lda.h"
 
 namespace handcraft::experiments {
 
@@ -35,6 +36,9 @@ struct CellSettings {
   std::optional<int> window = {};               ///< 1, 3 or 5 [px]; none: as `features` say
   double ridge = 0.0;                           ///< λ ≥ 0 of logistic regression
   Classifier classifier = Classifier::kLogistic;
+  lda::ShrinkageRule shrinkage_rule = lda::ShrinkageRule::kFixed;  ///< of LDA, as what follows
+  double shrinkage = 0.0;                                          ///< λ in [0, 1]
+  double prior = 0.0;  ///< P(good) in (0, 1); 0: as in the samples
   TestRegion region = TestRegion::kPicture;
   double training_share = 0.7;  ///< share of the instances to train on, (0, 1]
   std::size_t samples = 40000;  ///< pixels to train on; 0: every labelled one

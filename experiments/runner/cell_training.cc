@@ -125,13 +125,19 @@ Fit FitLogistic(const DesignMatrix<float>& X,
   return fit;
 }
 
-Fit FitLda(const DesignMatrix<float>& X, std::span<const std::uint8_t> labels, int num_threads) {
-  const lda::Options options{.num_threads = num_threads};
+Fit FitLda(const DesignMatrix<float>& X,
+           std::span<const std::uint8_t> labels,
+           const CellSettings& settings,
+           int num_threads) {
+  const lda::Options options{.shrinkage_rule = settings.shrinkage_rule,
+                             .shrinkage = settings.shrinkage,
+                             .positive_prior = settings.prior,
+                             .num_threads = num_threads};
   const lda::Result result = lda::TrainLda<float>(X, labels, options);
   if (result.weights.empty()) {
     throw Error({.kind = Error::Kind::kNoResult,
                  .reason = "linear discriminant analysis: " + result.summary.message,
-                 .remedy = "take other features, or more samples"});
+                 .remedy = "set shrinkage = \"auto\", or take other features or more samples"});
   }
   Fit fit = FitOf(result);
   fit.algorithm = "lda";
@@ -180,7 +186,7 @@ CellTraining TrainCell(std::span<const datasets::LabelledImageSet> sets,
                               .stride = samples.num_features};
   const Stopwatch training_watch;
   const Fit fit = settings.classifier == Classifier::kLda
-                      ? FitLda(X, samples.labels, num_threads)
+                      ? FitLda(X, samples.labels, settings, num_threads)
                       : FitLogistic(X, samples.labels, settings, seed, num_threads);
   training.training_time_s = training_watch.Seconds();
   training.termination = fit.termination;

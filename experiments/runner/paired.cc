@@ -13,19 +13,32 @@
 namespace handcraft::experiments {
 namespace {
 
-// The four figures of a picture.
+// The figures of a picture.
 struct Sums {
   GroupRatio best;
   GroupRatio right;
+  GroupRatio good_found;
+  GroupRatio bad_refused;
+  GroupRatio good_found_strictly;
+  GroupRatio bad_refused_strictly;
   GroupRatio log_loss;
   GroupRatio squared_error;
 };
 
+GroupRatio RatioOf(std::size_t part, std::size_t whole) {
+  return {static_cast<double>(part), static_cast<double>(whole)};
+}
+
 void Add(const ImageFigures& image, Sums& sums) {
+  const ConfusionMatrix& confusion = image.confusion;
+  const ConfusionMatrix& strict = image.strict_confusion;
+  sums.best += RatioOf(image.best.good, image.best.good + image.best.bad);
+  sums.right += RatioOf(confusion.true_positive + confusion.true_negative, image.num_pixels);
+  sums.good_found += RatioOf(confusion.true_positive, confusion.NumGood());
+  sums.bad_refused += RatioOf(confusion.true_negative, confusion.NumBad());
+  sums.good_found_strictly += RatioOf(strict.true_positive, strict.NumGood());
+  sums.bad_refused_strictly += RatioOf(strict.true_negative, strict.NumBad());
   const auto pixels = static_cast<double>(image.num_pixels);
-  sums.best +=
-      {static_cast<double>(image.best.good), static_cast<double>(image.best.good + image.best.bad)};
-  sums.right += {static_cast<double>(image.num_right), pixels};
   sums.log_loss += {image.log_loss_sum, pixels};
   sums.squared_error += {image.squared_error_sum, pixels};
 }
@@ -81,14 +94,17 @@ Estimate EstimateDifference(const std::vector<Pair>& pairs,
       options.num_threads);
 }
 
-// estimate(figure) for each of the four.
+// estimate(figure) for each of them.
 template <class MakeEstimate>
 PooledFigures MakeFigures(std::size_t num_images, const MakeEstimate& estimate) {
-  return {.num_images = num_images,
-          .best_pixel_accuracy = estimate(&Sums::best),
-          .accuracy = estimate(&Sums::right),
-          .log_loss = estimate(&Sums::log_loss),
-          .brier = estimate(&Sums::squared_error)};
+  return {
+      .num_images = num_images,
+      .best_pixel_accuracy = estimate(&Sums::best),
+      .accuracy = estimate(&Sums::right),
+      .rates = {estimate(&Sums::good_found), estimate(&Sums::bad_refused)},
+      .strict_rates = {estimate(&Sums::good_found_strictly), estimate(&Sums::bad_refused_strictly)},
+      .log_loss = estimate(&Sums::log_loss),
+      .brier = estimate(&Sums::squared_error)};
 }
 
 }  // namespace
@@ -101,7 +117,7 @@ PooledFigures PoolFigures(Repetitions cells,
     std::vector<GroupRatio> images;
     images.reserve(pairs.size());
     for (const Pair& pair : pairs) images.push_back(pair.ours.*figure);
-    const bool is_share = figure == &Sums::best || figure == &Sums::right;
+    const bool is_share = figure != &Sums::log_loss && figure != &Sums::squared_error;
     const auto estimate = is_share ? EstimateShare : EstimateRatio;
     return estimate(images, options.resamples, options.seed, options.num_threads);
   });

@@ -29,6 +29,8 @@ struct PooledFigures {
   std::size_t num_images = 0;
   Estimate best_pixel_accuracy = {};  ///< docs/evaluation.md
   Estimate accuracy = {};
+  ConfusionRates rates = {};
+  ConfusionRates strict_rates = {};  ///< at the probability that best pixels must exceed
   Estimate log_loss = {};
   Estimate brier = {};
 };

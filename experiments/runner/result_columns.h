@@ -9,6 +9,15 @@
 
 namespace handcraft::experiments {
 
+/// The four counts of a confusion matrix, their names with `ending`.
+template <class Matrix, class Visit>
+void VisitConfusionColumns(Matrix& matrix, const std::string& ending, const Visit& visit) {
+  visit("true_positive" + ending, matrix.true_positive);
+  visit("false_positive" + ending, matrix.false_positive);
+  visit("true_negative" + ending, matrix.true_negative);
+  visit("false_negative" + ending, matrix.false_negative);
+}
+
 /// Calls visit(name, number) for every figure of a group, in the order of the columns of
 /// results.csv. The numbers are double or std::size_t, and may be written to when the group may.
 template <class Group, class Visit>
@@ -18,11 +27,9 @@ void VisitGroupColumns(Group& group, const Visit& visit) {
     visit(name + "_low", of.low);
     visit(name + "_high", of.high);
   };
-  const auto confusion = [&](const std::string& ending, auto& of) {
-    visit("true_positive" + ending, of.true_positive);
-    visit("false_positive" + ending, of.false_positive);
-    visit("true_negative" + ending, of.true_negative);
-    visit("false_negative" + ending, of.false_negative);
+  const auto rates = [&](const std::string& ending, auto& of) {
+    estimate("true_positive_rate" + ending, of.true_positive_rate);
+    estimate("true_negative_rate" + ending, of.true_negative_rate);
   };
   visit("num_images", group.num_images);
   visit("num_images_without_best", group.num_images_without_best);
@@ -30,13 +37,15 @@ void VisitGroupColumns(Group& group, const Visit& visit) {
   visit("best_counted", group.best_total);
   visit("best_dont_care", group.best_dont_care);
   estimate("best_pixel_accuracy", group.best_pixel_accuracy);
-  confusion("", group.confusion);
+  VisitConfusionColumns(group.confusion, "", visit);
+  rates("", group.rates);
   estimate("accuracy", group.accuracy);
   estimate("auc", group.auc);
   estimate("average_precision", group.average_precision);
   estimate("log_loss", group.log_loss);
   estimate("brier", group.brier);
-  confusion("_at_0.9", group.strict_confusion);
+  VisitConfusionColumns(group.strict_confusion, "_at_0.9", visit);
+  rates("_at_0.9", group.strict_rates);
   estimate("accuracy_at_0.9", group.strict_accuracy);
 }
 
@@ -71,7 +80,8 @@ void VisitImageColumns(Figures& figures, const Visit& visit) {
   visit("best_bad", figures.best.bad);
   visit("best_dont_care", figures.best.dont_care);
   visit("num_pixels", figures.num_pixels);
-  visit("num_right", figures.num_right);
+  VisitConfusionColumns(figures.confusion, "", visit);
+  VisitConfusionColumns(figures.strict_confusion, "_at_0.9", visit);
   visit("log_loss_sum", figures.log_loss_sum);
   visit("squared_error_sum", figures.squared_error_sum);
 }

@@ -11,6 +11,7 @@
 #include "experiments/evaluation/html_text.h"
 #include "experiments/evaluation/pixel_cards.h"
 #include "experiments/evaluation/report_table.h"
+#include "experiments/runner/study_confusion.h"
 #include "experiments/runner/summary_markdown.h"
 
 namespace handcraft::experiments {
@@ -110,22 +111,21 @@ std::string PixelsText(const StudyRun& run, const StudySummary& summary) {
   std::string text =
       "<h2>Labelled pixels</h2>\n<p class=\"note\">As many good as bad in each image. Areas and "
       "average precision with 95 % intervals over images, means over repetitions; confusion "
-      "matrices (counts, and their share of the row) and reliability of all repetitions together, "
-      "curves of the first.</p>\n";
+      "matrices of all repetitions together, curves and reliability of the first.</p>\n";
   for (const SeriesSummary& series : summary.series) {
-    const PixelCurves& curves = run.results[series.cells.front()].curves;
+    const PooledFigures& figures = series.by_class.back().figures;
     text += fmt::format("<h2>{}</h2>\n<div class=\"plots\">\n{}</div>\n",
                         EscapeHtml(series.label),
                         PixelCards({.confusion = series.confusion,
+                                    .rates = figures.rates,
                                     .threshold = defaults.threshold,
                                     .strict_confusion = series.strict_confusion,
+                                    .strict_rates = figures.strict_rates,
                                     .strict_threshold = defaults.best_min_probability,
                                     .auc = series.auc,
                                     .average_precision = series.average_precision,
-                                    .brier = series.by_class.back().figures.brier.value,
-                                    .roc = curves.roc,
-                                    .precision_recall = curves.precision_recall,
-                                    .reliability = series.reliability}));
+                                    .brier = figures.brier},
+                                   run.results[series.cells.front()].curves));
   }
   return text;
 }

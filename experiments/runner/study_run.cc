@@ -4,6 +4,8 @@
 #include "experiments/runner/study_run.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -95,29 +97,51 @@ void RemoveHalfWritten(const fs::path& cells) {
   for (const fs::path& path : left) fs::remove(path);
 }
 
-// A cell whose model is gone or damaged is worked out again.
-bool IsFinished(const fs::path& out, const Cell& cell) {
-  if (!Exists(ResultFileOf(out, cell))) return false;
+// The result of a finished cell; none where there is none, or it or its model cannot be believed,
+// of which `redone` then tells.
+std::optional<CellResult> ReadFinished(const fs::path& out,
+                                       const Cell& cell,
+                                       std::vector<std::string>& redone) {
+  if (!Exists(ResultFileOf(out, cell))) return std::nullopt;
   try {
-    return LoadModel(ModelFileOf(out, cell)).get() != nullptr;
-  } catch (const Error&) {
-    return false;
+    CellResult result = ReadCellResult(ResultFileOf(out, cell), cell.id);
+    static_cast<void>(LoadModel(ModelFileOf(out, cell)));
+    return result;
+  } catch (const Error& error) {
+    redone.push_back(fmt::format("{} is worked out again: {}", cell.id, error.what()));
+    return std::nullopt;
   }
 }
 
-void WorkOutMissing(const StudyRun& run,
-                    const std::vector<std::size_t>& missing,
-                    const StudyRunOptions& options) {
+void WorkOutMissing(const std::vector<std::size_t>& missing,
+                    const StudyRunOptions& options,
+                    StudyRun& run) {
   const int num_missing = static_cast<int>(missing.size());
   const int at_once = std::clamp(num_missing, 1, options.num_threads);
   const int threads_each = std::max(1, options.num_threads / at_once);
   datasets::ParallelForReporting(
       missing.size(), at_once, options.progress, "cells", [&](std::size_t k) {
         const Cell& cell = run.cells[missing[k]];
-        const CellResult result =
-            WorkOut(run.study, run.data, cell, ModelFileOf(options.out, cell), threads_each);
+        CellResult& result = run.results[missing[k]];
+        result = WorkOut(run.study, run.data, cell, ModelFileOf(options.out, cell), threads_each);
         WriteCellResult(ResultFileOf(options.out, cell), result);
       });
+}
+
+// Takes over what is finished and works out the rest.
+void GatherResults(const StudyRunOptions& options, StudyRun& run) {
+  std::vector<std::size_t> missing;
+  run.results.resize(run.cells.size());
+  for (std::size_t i = 0; i < run.cells.size(); ++i) {
+    std::optional<CellResult> finished = ReadFinished(options.out, run.cells[i], run.redone);
+    if (finished) {
+      run.results[i] = std::move(*finished);
+    } else {
+      missing.push_back(i);
+    }
+  }
+  run.num_resumed = run.cells.size() - missing.size();
+  WorkOutMissing(missing, options, run);
 }
 
 }  // namespace
@@ -145,15 +169,7 @@ StudyRun RunStudy(const Study& study, const StudyRunOptions& options) {
   }
   fs::create_directories(options.out / "cells");
   RemoveHalfWritten(options.out / "cells");
-  std::vector<std::size_t> missing;
-  for (std::size_t i = 0; i < run.cells.size(); ++i) {
-    if (!IsFinished(options.out, run.cells[i])) missing.push_back(i);
-  }
-  run.num_resumed = run.cells.size() - missing.size();
-  WorkOutMissing(run, missing, options);
-  for (const Cell& cell : run.cells) {
-    run.results.push_back(ReadCellResult(ResultFileOf(options.out, cell), cell.id));
-  }
+  GatherResults(options, run);
   WriteFileAtomically(options.out / "results.csv", ResultsCsv(run.cells, run.results));
   WriteFileAtomically(options.out / "times.csv", TimesCsv(run.results));
   const bool has_regions =

@@ -29,6 +29,8 @@ struct StudyRun {
   std::vector<Cell> cells = {};
   std::vector<CellResult> results = {};  ///< one a cell
   std::size_t num_resumed = 0;           ///< cells that an earlier run had finished
+  /// What of an earlier run could not be believed and was worked out again: a sentence a cell.
+  std::vector<std::string> redone = {};
 };
 
 /// The file of a finished cell, and that of its model, below the folder of the results.
@@ -39,7 +41,8 @@ struct StudyRun {
 /// Works out every cell: trains it, scores the pictures to test with by the runtime, forms the
 /// figures. Cells are worked out in parallel; each finished one is a file below OUT/cells, so that
 /// a run that was stopped at any moment is gone on with. OUT/inputs pins study, data and version:
-/// a run with another of them is refused, by name. Writes results.csv and times.csv at the end,
+/// a run with another of them is refused, by name. A file of a cell that is cut off or changed is
+/// worked out again (StudyRun.redone). Writes results.csv and times.csv at the end,
 /// and search_space.csv when a cell looks in the region of the object.
 /// Same study and data, same bytes but for the times, however often it was stopped and for any
 /// number of threads. Throws Error.

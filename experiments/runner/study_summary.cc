@@ -81,30 +81,12 @@ Estimate MeanEstimate(const std::vector<const CellResult*>& cells, const Estimat
   return {mean.value / count, mean.low / count, mean.high / count};
 }
 
-// Adds what a bin holds, the means by their numbers of pixels.
-void AddBins(const std::vector<ProbabilityBin>& more, std::vector<ProbabilityBin>& bins) {
-  if (bins.empty()) {
-    bins = more;
-    return;
-  }
-  for (std::size_t i = 0; i < std::min(bins.size(), more.size()); ++i) {
-    const auto sum_of = [](const ProbabilityBin& bin) {
-      return bin.Total() == 0 ? 0.0 : static_cast<double>(bin.Total()) * bin.mean_probability;
-    };
-    const double sum = sum_of(bins[i]) + sum_of(more[i]);
-    bins[i].num_good += more[i].num_good;
-    bins[i].num_bad += more[i].num_bad;
-    bins[i].mean_probability = sum / static_cast<double>(bins[i].Total());  // NaN when empty
-  }
-}
-
 void AddWholeFigures(const StudyRun& run, SeriesSummary& series) {
   std::vector<SearchSpaceFigures> search_spaces;
   for (const std::size_t i : series.cells) {
     const GroupFigures& all = run.results[i].groups.back();
     series.confusion += all.confusion;
     series.strict_confusion += all.strict_confusion;
-    AddBins(run.results[i].curves.reliability, series.reliability);
     search_spaces.push_back(run.results[i].search_space);
   }
   series.search_space = Pooled(search_spaces);

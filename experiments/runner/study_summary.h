@@ -28,10 +28,9 @@ struct SeriesSummary {
   /// their intervals, which are thus a cell's own where there is one repetition.
   Estimate auc = {};
   Estimate average_precision = {};
-  ConfusionMatrix confusion = {};                ///< of all repetitions together
-  ConfusionMatrix strict_confusion = {};         ///< the same, at 0.9
-  std::vector<ProbabilityBin> reliability = {};  ///< the same
-  SearchSpaceFigures search_space = {};          ///< without stages where there is no region
+  ConfusionMatrix confusion = {};         ///< of all repetitions together
+  ConfusionMatrix strict_confusion = {};  ///< the same, at 0.9
+  SearchSpaceFigures search_space = {};   ///< without stages where there is no region
 };
 
 /// Whether a publication's claim holds on these data.

@@ -12,7 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "experiments/evaluation/html_text.h"
-#include "experiments/metrics/confusion_percent.h"
+#include "experiments/runner/study_confusion.h"
 
 namespace handcraft::experiments {
 namespace {
@@ -96,8 +96,14 @@ std::string DifferencesText(const StudySummary& summary) {
 }
 
 std::string ClassifierText(const StudyRun& run, const StudySummary& summary) {
-  std::string text =
-      Head({"method", "features", "samples", "AUC", "accuracy at 0.5", "log-loss", "Brier score"});
+  std::string text = Head({"method",
+                           "features",
+                           "samples",
+                           "AUC",
+                           "average precision",
+                           "accuracy at 0.5",
+                           "log-loss",
+                           "Brier score"});
   for (const SeriesSummary& series : summary.series) {
     const CellResult& first = run.results[series.cells.front()];
     const PooledFigures& figures = series.by_class.back().figures;
@@ -105,9 +111,10 @@ std::string ClassifierText(const StudyRun& run, const StudySummary& summary) {
                  std::to_string(first.num_features),
                  std::to_string(first.num_samples),
                  DecimalEstimateText(series.auc, 3),
+                 DecimalEstimateText(series.average_precision, 3),
                  ShareText(figures.accuracy),
-                 DecimalText(figures.log_loss.value, 4),
-                 DecimalText(figures.brier.value, 4)});
+                 DecimalEstimateText(figures.log_loss, 4),
+                 DecimalEstimateText(figures.brier, 4)});
   }
   return text;
 }
@@ -130,12 +137,12 @@ std::string SearchSpaceText(const StudySummary& summary) {
          Head({"method", "left after", "pixels", "time [ms]"}) + rows;
 }
 
-std::vector<std::string> ConfusionRow(std::string label, const ConfusionPercent& percent) {
-  std::vector<std::string> row = {std::move(label)};
-  for (const auto& side : percent) {
-    for (const double share : side) row.push_back(DecimalText(share, 2));
-  }
-  return row;
+std::string ConfusionText(const StudySummary& summary) {
+  const ReportTable table = ConfusionCountsTable(summary);
+  std::string text = "\nConfusion matrices: pixels, and their share of the good or bad ones.\n\n" +
+                     Head(table.head);
+  for (const std::vector<std::string>& row : table.rows) text += Row(row);
+  return text;
 }
 
 std::string LdaConfusionText(const StudyRun& run, const StudySummary& summary) {
@@ -190,26 +197,6 @@ std::string VerdictText(const Study& study, const StudySummary& summary) {
       DoubtText(verdict, study.claim->worst_loss_points));
 }
 
-ReportTable LdaConfusionTable(const StudyRun& run, const StudySummary& summary) {
-  ReportTable table{.head = {"method",
-                             "bad, called bad",
-                             "bad, called good",
-                             "good, called bad",
-                             "good, called good"}};
-  const bool has_lda = std::any_of(run.cells.begin(), run.cells.end(), [](const Cell& cell) {
-    return cell.settings.classifier == Classifier::kLda;
-  });
-  if (!has_lda) return table;
-  table.rows.push_back(ConfusionRow("dissertation, discriminant analysis", kDissertationLda));
-  const double bad_share = BadShareOf(kDissertationLda);
-  for (const SeriesSummary& series : summary.series) {
-    table.rows.push_back(ConfusionRow(series.label + ", at its class ratio",
-                                      PercentAtBadShare(series.confusion, bad_share)));
-    table.rows.push_back(ConfusionRow(series.label + ", as measured", PercentOf(series.confusion)));
-  }
-  return table;
-}
-
 std::string SummaryMarkdown(const StudyRun& run, const StudySummary& summary) {
   const Study& study = run.study;
   std::string text = fmt::format("# {}\n\n", study.title);
@@ -226,7 +213,7 @@ std::string SummaryMarkdown(const StudyRun& run, const StudySummary& summary) {
       differences);
   const std::string verdict = VerdictText(study, summary);
   if (!verdict.empty()) text += "\n" + verdict + "\n";
-  text += "\n## Labelled pixels\n\n" + ClassifierText(run, summary);
+  text += "\n## Labelled pixels\n\n" + ClassifierText(run, summary) + ConfusionText(summary);
   text += LdaConfusionText(run, summary) + SearchSpaceText(summary);
   if (!summary.warnings.empty()) {
     text += fmt::format("\n## Warnings\n\n- {}\n", fmt::join(summary.warnings, "\n- "));

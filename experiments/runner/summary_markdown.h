@@ -5,7 +5,6 @@
 
 #include <string>
 
-#include "experiments/evaluation/report_table.h"
 #include "experiments/runner/study_summary.h"
 
 namespace handcraft::experiments {
@@ -16,10 +15,5 @@ namespace handcraft::experiments {
 /// summary.md: question, figures by class, differences to the baseline, verdict, warnings, inputs.
 /// Holds no time and no path, so that two runs give the same bytes.
 [[nodiscard]] std::string SummaryMarkdown(const StudyRun& run, const StudySummary& summary);
-
-/// The confusion matrices over labelled pixels in percent of all, as measured and at the class
-/// ratio of the dissertation's, beside its own of linear discriminant analysis (section 3.1.4). No
-/// rows for a study without that method.
-[[nodiscard]] ReportTable LdaConfusionTable(const StudyRun& run, const StudySummary& summary);
 
 }  // namespace handcraft::experiments

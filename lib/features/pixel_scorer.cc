@@ -204,16 +204,32 @@ void PixelScorer::ScoreDecisionValues(const RawImage& image,
 }
 
 ScoringWay PixelScorer::CheaperWay(int width, int height, const PixelMask& mask) const noexcept {
-  // A column costs more in the sparse way, where a row's sums leave the first-level cache; looking
-  // at the mask costs as much as some features. Measured: region_scoring_benchmark.
-  constexpr double kSparseFactor = 1.15;
-  constexpr double kMaskFeatures = 30.0;
+  // In parts of what a filter takes for a column: fitted to region_scoring_benchmark.
+  constexpr double kTap = 0.02;          // a column of a filter, for each pixel of the window
+  constexpr double kLogarithm = 0.55;    // the same, with logarithmic energies
+  constexpr double kDenseColumn = 4.0;   // conversion, intercept, sigmoid
+  constexpr double kSparseColumn = 7.0;  // the same, sums outside the first-level cache
+  constexpr double kSparseFilter = 0.84;
+  constexpr double kRun = 330.0;         // to find a run and set its jobs up
+  constexpr double kBoxPixel = 2.8;      // to look at the mask, row by row
+  constexpr double kPicturePixel = 1.3;  // to find the box and clear the map
+  const double filter =
+      1.0 + kTap * spec_.window * spec_.window + (spec_.energy == Energy::kLog ? kLogarithm : 0.0);
+  const double filters = spec_.NumFilters() * filter;
   const RegionBox box = internal::BoxOf(mask, width, height);
   const int radius = spec_.window / 2;
-  const double factor = kSparseFactor + kMaskFeatures / spec_.NumFeatures();
-  const auto sparse = static_cast<double>(internal::SparseCost(mask, box, radius));
-  const auto dense = static_cast<double>(internal::DenseCost(width, height, radius));
-  return factor * sparse < dense ? ScoringWay::kSparse : ScoringWay::kDense;
+  const internal::RegionWork work = internal::SparseWork(mask, box, radius);
+  const double box_pixels =
+      box.empty()
+          ? 0.0
+          : static_cast<double>(NumPixels(box.last_u - box.first_u, box.last_v - box.first_v));
+  const double sparse =
+      (kSparseFilter * filters + kSparseColumn) * static_cast<double>(work.num_columns) +
+      kRun * static_cast<double>(work.num_runs) + kBoxPixel * box_pixels +
+      kPicturePixel * static_cast<double>(NumPixels(width, height));
+  const double dense = (filters + kDenseColumn) *
+                       static_cast<double>(internal::NumDenseColumns(width, height, radius));
+  return sparse < dense ? ScoringWay::kSparse : ScoringWay::kDense;
 }
 
 void PixelScorer::ScoreMask(const RawImage& image,

@@ -60,7 +60,7 @@ class PixelScorer {
                            std::ptrdiff_t stride) const noexcept;
 
   /// Whether the wanted pixels of a picture are scored sooner alone or with all others: by the
-  /// columns that either way computes, overheads included (docs/methods/search_space_reduction.md).
+  /// filters, columns and runs that either way computes (docs/methods/search_space_reduction.md).
   [[nodiscard]] ScoringWay CheaperWay(int width, int height, const PixelMask& mask) const noexcept;
 
   /// Writes the probability of every pixel that is not 0 in the mask, and 0 for the others; both

@@ -19,17 +19,18 @@ RegionBox BoxOf(const PixelMask& mask, int width, int height) noexcept {
   return box;
 }
 
-std::int64_t SparseCost(const PixelMask& mask, const RegionBox& box, int radius) noexcept {
-  std::int64_t cost = 0;
+RegionWork SparseWork(const PixelMask& mask, const RegionBox& box, int radius) noexcept {
+  RegionWork work;
   for (int v = box.first_v - radius; v < box.last_v + radius; ++v) {
     ForEachPiece(mask, box, v - radius, v + radius, [&](const ColumnRun& run) {
-      cost += run.last - run.first + kRunOverhead;
+      work.num_columns += run.last - run.first + kRunOverhead;
+      ++work.num_runs;
     });
   }
-  return cost;
+  return work;
 }
 
-std::int64_t DenseCost(int width, int height, int radius) noexcept {
+std::int64_t NumDenseColumns(int width, int height, int radius) noexcept {
   const std::int64_t num_strips = (width + kStripWidth - 1) / kStripWidth;
   return (width + num_strips * kStripOverhead) * (height + std::int64_t{2} * radius);
 }

@@ -24,8 +24,8 @@ struct ColumnRun {
 inline constexpr int kMergeGap = 24;
 static_assert(kMergeGap >= 16);
 
-/// What a run takes besides its columns, in columns: the filters' reach at both ends, the rest of
-/// its last vector, the calls. Measured: docs/methods/search_space_reduction.md.
+/// What a run makes the filters compute besides its columns, in columns: their reach at both ends,
+/// the rest of its last vector. Measured: docs/methods/search_space_reduction.md.
 inline constexpr int kRunOverhead = 24;
 /// The same for a strip of the dense way.
 inline constexpr int kStripOverhead = 12;
@@ -33,12 +33,17 @@ inline constexpr int kStripOverhead = 12;
 /// The smallest box that holds the wanted pixels; empty when there are none.
 [[nodiscard]] RegionBox BoxOf(const PixelMask& mask, int width, int height) noexcept;
 
-/// Columns to compute, overheads included, to score the wanted pixels in the sparse way, and all
-/// pixels in the dense way, with a window of radius `radius`.
-[[nodiscard]] std::int64_t SparseCost(const PixelMask& mask,
-                                      const RegionBox& box,
-                                      int radius) noexcept;
-[[nodiscard]] std::int64_t DenseCost(int width, int height, int radius) noexcept;
+/// What the sparse way computes to score the wanted pixels with a window of radius `radius`.
+struct RegionWork {
+  std::int64_t num_columns = 0;  ///< kRunOverhead included
+  std::int64_t num_runs = 0;     ///< pieces of them
+};
+[[nodiscard]] RegionWork SparseWork(const PixelMask& mask,
+                                    const RegionBox& box,
+                                    int radius) noexcept;
+
+/// Columns that the dense way computes, kStripOverhead included.
+[[nodiscard]] std::int64_t NumDenseColumns(int width, int height, int radius) noexcept;
 
 /// Calls visit(ColumnRun) from left to right for each run of columns in the box where one of the
 /// rows first_row … last_row (inclusive, cut to the box) has a wanted pixel.

@@ -77,7 +77,9 @@ TEST_F(SearchInputTest, FormsACloudOfADepthPicture) {
   depth.At(7, 8) = 0;
   perception::WritePng16(folder_ / "d.png", depth);
   SearchInput input{.depth = Path("d.png"), .camera = testing::CameraFile(folder_.path())};
-  const auto cloud = CloudFor(input, Image(160, 120));
+  std::optional<perception::SearchStage> matching;
+  const auto cloud = CloudFor(input, Image(160, 120), &matching);
+  EXPECT_FALSE(matching);
   EXPECT_NEAR(cloud.At(0, 0).x(), -79.5F / 131.25F * 1.5F, 1e-6F);
   EXPECT_NEAR(cloud.At(0, 0).z(), 1.5F, 1e-6F);
   EXPECT_FALSE(datasets::IsMeasured(cloud.At(7, 8)));
@@ -94,7 +96,15 @@ TEST_F(SearchInputTest, MatchesAPair) {
   perception::WritePng(folder_ / "r.png", right);
   const SearchInput input{.right = Path("r.png"),
                           .camera = testing::CameraFile(folder_.path(), "baseline_m = 0.12\n")};
-  const auto cloud = CloudFor(input, left);
+  std::optional<perception::SearchStage> matching;
+  const auto cloud = CloudFor(input, left, &matching);
+  ASSERT_TRUE(matching);
+  EXPECT_EQ(matching->name, "matched");
+  EXPECT_EQ(matching->num_pixels,
+            static_cast<std::size_t>(
+                std::count_if(cloud.points.begin(), cloud.points.end(), datasets::IsMeasured)));
+  EXPECT_GT(matching->num_pixels, 0U);
+  EXPECT_GT(matching->time_ms, 0.0);
   EXPECT_NEAR(cloud.At(100, 60).z(), 131.25F * 0.12F / 11.0F, 0.02F);
   SearchInput block = input;
   block.stereo_method = SearchInput::kBlock;

@@ -88,9 +88,11 @@ struct Prediction {
 perception::SearchRegion FindRegion(const SearchInput& search,
                                     const std::string& path,
                                     const Image& image) {
-  const datasets::OrganisedCloud cloud = CloudFor(search, image);
+  std::optional<perception::SearchStage> matching;
+  const datasets::OrganisedCloud cloud = CloudFor(search, image, &matching);
   perception::SearchRegion region =
       perception::SearchRegionFinder(RegionOptions(search)).Find(image, cloud.View());
+  if (matching) region.stages.insert(region.stages.begin() + 1, *matching);  // after "picture"
   if (region.HasRegion()) return region;
   throw Error(
       {.kind = Error::Kind::kNoResult,

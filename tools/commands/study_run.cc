@@ -129,6 +129,7 @@ void RunPixelStudy(const StudyRunCommand& options,
   bar.Clear();
   const experiments::StudySummary summary = experiments::SummariseStudy(run, options.num_threads);
   WarnOf(experiments::WriteStudyReport(options.out, run, summary), console);
+  for (const std::string& cell : run.redone) console.Warn(cell);
   for (const std::string& warning : summary.warnings) console.Warn(warning);
   const std::string verdict = experiments::VerdictText(study, summary);
   options.json ? PrintJson(options, run, verdict, console)

@@ -18,6 +18,7 @@
 #include "datasets/formats/labelled_image_set.h"
 #include "datasets/grasp_point_samples.h"
 #include "experiments/evaluation/grasp_point_evaluation.h"
+#include "experiments/evaluation/html_text.h"
 #include "experiments/metrics/confusion_percent.h"
 #include "lib/core/error.h"
 #include "lib/core/fields.h"
@@ -154,9 +155,10 @@ nlohmann::ordered_json HeldOutJson(const Training& training) {
           {"auc_high", all.auc.high},
           {"accuracy", all.accuracy.value},
           {"log_loss", all.log_loss.value},
-          {"confusion_percent", experiments::PercentOf(all.confusion)},
+          {"confusion_percent",
+           ValuesOf(PercentAtBadShare(all.rates, experiments::BadShareOf(all.confusion)))},
           {"confusion_percent_at_dissertation_ratio",
-           experiments::PercentAtBadShare(all.confusion, kDissertationBadShare)}};
+           ValuesOf(PercentAtBadShare(all.rates, kDissertationBadShare))}};
 }
 
 // What cannot be formed is NaN, shown as a dash.
@@ -178,17 +180,17 @@ double LogLossOf(double deviance, const PixelFit& fit) {
 }
 
 // The confusion matrix of section 3.1.4 beside ours: as measured, and at its class ratio.
-std::string ConfusionText(const experiments::ConfusionMatrix& confusion) {
-  const auto ours = experiments::PercentOf(confusion);
-  const auto weighted = experiments::PercentAtBadShare(confusion, kDissertationBadShare);
+std::string ConfusionText(const experiments::GroupFigures& all) {
+  const auto ours = PercentAtBadShare(all.rates, experiments::BadShareOf(all.confusion));
+  const auto weighted = PercentAtBadShare(all.rates, kDissertationBadShare);
   TextTable table({"percent of held-out pixels", "ours", "at its class ratio", "dissertation"});
   const std::array names = {std::array{"bad, called bad", "bad, called good"},
                             std::array{"good, called bad", "good, called good"}};
   for (std::size_t i = 0; i < 2; ++i) {
     for (std::size_t j = 0; j < 2; ++j) {
       table.AddRow({names[i][j],
-                    fmt::format("{:.2f}", ours[i][j]),
-                    fmt::format("{:.2f}", weighted[i][j]),
+                    experiments::DecimalEstimateText(ours[i][j], 2),
+                    experiments::DecimalEstimateText(weighted[i][j], 2),
                     fmt::format("{:.2f}", experiments::kDissertationLda[i][j])});
     }
   }
@@ -246,7 +248,7 @@ void PrintText(const Console& console,
   table.AddRow({"sha256", sha256});
   console.out << table.ToText();
   if (training.evaluation && options.fit.method == FitMethod::kLda) {
-    console.out << '\n' << ConfusionText(training.evaluation->all.confusion);
+    console.out << '\n' << ConfusionText(training.evaluation->all);
   }
 }
 

@@ -223,6 +223,20 @@ TEST_F(CloudOfPictureTest, TakesTheUnitOfTheFileOrTheGivenOne) {
   EXPECT_EQ(Read(ours, 0.5F).At(2, 1), Vector3f(0.5F, 1.0F, 1.5F));
 }
 
+// HEIGHT above 1 and a field `index`: it says where a point belongs, not the order.
+TEST_F(CloudOfPictureTest, BelievesTheIndicesOfAnOrganisedCloud) {
+  const std::string header =
+      "VERSION 0.7\nFIELDS index x y z\nSIZE 4 4 4 4\nTYPE U F F F\nWIDTH 3\nHEIGHT 2\n"
+      "VIEWPOINT 1 2 3 1 0 0 0\nPOINTS 6\nDATA ascii\n5 1 2 3\n";
+  const std::string nothing = " nan nan nan\n";
+  ExpectPointAtItsPixel(
+      Read(header + "0" + nothing + "1" + nothing + "2" + nothing + "3" + nothing + "4" + nothing),
+      "in another order");
+  ExpectRefused(
+      header + "0" + nothing + "1" + nothing + "2" + nothing + "3" + nothing + "5" + nothing,
+      "point 6 of 6: index 5 is there twice");
+}
+
 TEST_F(CloudOfPictureTest, TakesAnOrganisedCloudAsItIs) {
   const OrganisedCloud cloud{.width = 3, .height = 2, .points = {6, Vector3f(1, 2, 3)}};
   WritePcd(folder_ / "a.pcd", cloud);

@@ -72,8 +72,8 @@ TEST(FormFigures, CountsByHand) {
   // Above 0.9 there is the pixel at 0.9F, which is a little less: none.
   EXPECT_EQ(all.strict_confusion.true_positive + all.strict_confusion.false_positive, 0U);
   EXPECT_DOUBLE_EQ(all.strict_accuracy.value, 4.0 / 7.0);
-  EXPECT_EQ(hand.evaluation.roc.size(), 8U);
-  EXPECT_EQ(hand.evaluation.precision_recall.size(), 7U);
+  EXPECT_EQ(hand.evaluation.curves.roc.size(), 8U);
+  EXPECT_EQ(hand.evaluation.curves.precision_recall.size(), 7U);
 }
 
 TEST(FormFigures, ListsClassesByName) {

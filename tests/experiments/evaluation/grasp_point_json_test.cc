@@ -50,12 +50,22 @@ TEST(GraspPointJson, HasTheDocumentedKeys) {
                           "brier",
                           "brier_interval",
                           "confusion",
+                          "true_positive_rate",
+                          "true_positive_rate_interval",
+                          "true_negative_rate",
+                          "true_negative_rate_interval",
                           "strict_accuracy",
                           "strict_accuracy_interval",
                           "strict_confusion",
+                          "strict_true_positive_rate",
+                          "strict_true_positive_rate_interval",
+                          "strict_true_negative_rate",
+                          "strict_true_negative_rate_interval",
                           "classes",
                           "roc",
+                          "roc_band",
                           "precision_recall",
+                          "precision_recall_band",
                           "reliability",
                           "images"));
   EXPECT_THAT(KeysOf(json["images"][0]),
@@ -82,7 +92,14 @@ TEST(GraspPointJson, HoldsTheFigures) {
   EXPECT_EQ(json["images"][0]["best_pixels"][2]["label"], "bad");
   EXPECT_EQ(json["images"][0]["best_pixels"][2]["probability"], 0.91);
   EXPECT_EQ(json["images"][2]["best_pixels"][0]["label"], "dont_care");
+  EXPECT_DOUBLE_EQ(json["true_positive_rate"], 2.0 / 3.0);
+  EXPECT_DOUBLE_EQ(json["true_negative_rate"], 0.5);
+  EXPECT_EQ(json["strict_true_positive_rate"], 0.0);
   EXPECT_EQ(json["reliability"].size(), 10U);
+  EXPECT_DOUBLE_EQ(json["reliability"][4]["good_share"], 1.0);
+  ASSERT_EQ(json["roc_band"].size(), 101U);
+  EXPECT_EQ(json["roc_band"][100], nlohmann::json({1.0, 1.0, 1.0}));
+  EXPECT_EQ(json["precision_recall_band"].size(), 100U);
 }
 
 TEST(GraspPointJson, HoldsNoTimesAndNoThreads) {

@@ -70,7 +70,9 @@ TEST(MakeGraspPointPage, SaysWhenNotAllImagesAreShown) {
 }
 
 TEST(MakeGraspPointPage, StandsWithoutAnyFigure) {
-  const std::string page = MakeGraspPointPage({}, {.model_name = "m", .data_name = "d"});
+  GraspPointEvaluation nothing;
+  FormFigures({}, nothing);
+  const std::string page = MakeGraspPointPage(nothing, {.model_name = "m", .data_name = "d"});
   EXPECT_THAT(page, HasSubstr("No best pixel lies on labelled ground."));
   EXPECT_THAT(page, HasSubstr("–"));
   EXPECT_THAT(page, Not(HasSubstr("nan")));

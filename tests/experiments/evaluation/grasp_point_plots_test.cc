@@ -3,6 +3,7 @@
 
 #include "experiments/evaluation/grasp_point_plots.h"
 
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -27,27 +28,43 @@ std::size_t CountOf(const std::string& text, std::string_view part) {
 
 TEST(PlotRoc, DrawsTheCurveAndTheDiagonal) {
   const auto hand = testing::MakeHandFilledEvaluation();
-  const std::string text = PlotRoc(hand.evaluation.roc).ToInlineText();
+  const std::string text = PlotRoc(hand.evaluation.curves).ToInlineText();
   EXPECT_EQ(CountOf(text, "class=\"line first\""), 1U);
   EXPECT_EQ(CountOf(text, "stroke-dasharray"), 1U);
+  EXPECT_EQ(CountOf(text, "class=\"band first\""), 1U);
 }
 
 TEST(PlotRoc, IsAnEmptyFrameWithoutACurve) {
   EXPECT_THAT(PlotRoc({}).ToInlineText(), Not(HasSubstr("class=\"line first\"")));
 }
 
+TEST(PlotRoc, LeavesOutOfTheBandWhatNoResampleReached) {
+  const double nan = std::nan("");
+  const std::string text =
+      PlotRoc({.bands = {.roc = {{0.0, nan, nan}, {0.5, 0.5, 0.75}, {1.0, 1.0, 1.0}}}})
+          .ToInlineText();
+  EXPECT_EQ(CountOf(text, "class=\"band first\""), 1U);
+  EXPECT_THAT(text, Not(HasSubstr("nan")));
+}
+
 TEST(PlotPrecisionRecall, DrawsTheCurve) {
   const auto hand = testing::MakeHandFilledEvaluation();
-  const std::string text = PlotPrecisionRecall(hand.evaluation.precision_recall).ToInlineText();
+  const std::string text = PlotPrecisionRecall(hand.evaluation.curves).ToInlineText();
   EXPECT_EQ(CountOf(text, "class=\"line first\""), 1U);
+  EXPECT_EQ(CountOf(text, "class=\"band first\""), 1U);
   EXPECT_THAT(PlotPrecisionRecall({}).ToInlineText(), Not(HasSubstr("class=\"line first\"")));
 }
 
 TEST(PlotReliability, MarksOnlyBinsThatHoldSomething) {
-  const std::vector<float> probabilities = {0.1F, 0.1F, 0.9F};
-  const std::vector<std::uint8_t> labels = {0, 1, 1};
-  const auto bins = BinProbabilities(probabilities, labels, 10);
-  EXPECT_EQ(CountOf(PlotReliability(bins).ToInlineText(), "<circle"), 2U);
+  const double nan = std::nan("");
+  const std::vector<ReliabilityBin> bins = {
+      {{0.0, 0.3, 1, 1, 0.1}, {0.5, 0.2, 0.9}},
+      {{0.3, 0.6, 0, 0, nan}, {nan, nan, nan}},
+      {{0.6, 1.0, 1, 0, 0.9}, {1.0, nan, nan}},
+  };
+  const std::string text = PlotReliability(bins).ToInlineText();
+  EXPECT_EQ(CountOf(text, "<circle"), 2U);
+  EXPECT_EQ(CountOf(text, "stroke-width=\"1.4\""), 1U) << "one of them has an interval";
 }
 
 TEST(PlotScoreHistogram, DrawsTwoBarsABin) {

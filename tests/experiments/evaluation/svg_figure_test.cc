@@ -63,9 +63,11 @@ TEST(SvgFigure, MapsDataToPixelsByHand) {
   EXPECT_THAT(figure.ToInlineText(), HasSubstr(R"(x="58.0" y="14.0" width="43.0" height="100.0")"));
   figure.AddInterval(0.5, 0.0, 0.5, Tone::kInk);
   EXPECT_THAT(figure.ToInlineText(), HasSubstr(R"(d="M101.0 114.0 V64.0")"));
-  figure.AddArea(std::vector<PlotPoint>{{0.0, 0.5}, {1.0, 0.5}}, Tone::kFirst);
+  figure.AddBand(std::vector<PlotPoint>{{0.0, 0.5}, {1.0, 0.5}},
+                 std::vector<PlotPoint>{{0.0, 1.0}, {1.0, 0.75}},
+                 Tone::kFirst);
   EXPECT_THAT(figure.ToInlineText(),
-              HasSubstr(R"(d="M58.0 64.0 L144.0 64.0 L144.0 114.0 L58.0 114.0 Z")"));
+              HasSubstr(R"(d="M58.0 64.0 L144.0 64.0 L144.0 39.0 L58.0 14.0 Z")"));
 }
 
 TEST(SvgFigure, KeepsPointsInsideTheFrame) {
@@ -103,7 +105,7 @@ TEST(SvgFigure, DrawsNothingForNoPoints) {
   SvgFigure figure = UnitFigure();
   const std::string before = figure.ToInlineText();
   figure.AddLine({}, Tone::kFirst);
-  figure.AddArea({}, Tone::kFirst);
+  figure.AddBand({}, {}, Tone::kFirst);
   EXPECT_EQ(figure.ToInlineText(), before);
 }
 

@@ -69,5 +69,24 @@ TEST(BinProbabilities, RefusesWhatIsNoProbability) {
   EXPECT_THROWS_MESSAGE(BinProbabilities({}, {}, 0), std::logic_error, HasSubstr("num_bins"));
 }
 
+TEST(EstimateReliability, PutsImagesTogetherByHand) {
+  const std::vector<std::vector<ProbabilityBin>> images = {
+      {{0.0, 0.5, 1, 2, 0.2}, {0.5, 1.0, 0, 0, std::nan("")}},
+      {{0.0, 0.5, 4, 2, 0.4}, {0.5, 1.0, 0, 0, std::nan("")}},
+      {{0.0, 0.5, 0, 0, std::nan("")}, {0.5, 1.0, 0, 3, 0.8}}};
+  const std::vector<ReliabilityBin> bins = EstimateReliability(images, 200, 1);
+  ASSERT_EQ(bins.size(), 2U);
+  EXPECT_EQ(bins[0].bin.num_good, 5U);
+  EXPECT_EQ(bins[0].bin.num_bad, 4U);
+  EXPECT_EQ(bins[0].bin.high, 0.5);
+  EXPECT_DOUBLE_EQ(bins[0].bin.mean_probability, (3 * 0.2 + 6 * 0.4) / 9.0);
+  EXPECT_DOUBLE_EQ(bins[0].good_share.value, 5.0 / 9.0);
+  EXPECT_DOUBLE_EQ(bins[0].good_share.low, 1.0 / 3.0);   // the first image alone
+  EXPECT_DOUBLE_EQ(bins[0].good_share.high, 2.0 / 3.0);  // the second alone
+  EXPECT_EQ(bins[1].good_share.value, 0.0);
+  EXPECT_TRUE(std::isnan(bins[1].good_share.low)) << "one image alone has no interval";
+  EXPECT_TRUE(EstimateReliability({}, 200, 1).empty());
+}
+
 }  // namespace
 }  // namespace handcraft::experiments

@@ -37,16 +37,16 @@ TEST(MakeCellResult, SumsUpEachPicture) {
   // The sums give the figures of all pictures again.
   double log_loss_sum = 0.0;
   double squared_error_sum = 0.0;
-  std::size_t num_right = 0;
+  ConfusionMatrix confusion;
   std::size_t num_pixels = 0;
   for (const ImageFigures& image : result.images) {
     log_loss_sum += image.log_loss_sum;
     squared_error_sum += image.squared_error_sum;
-    num_right += image.num_right;
+    confusion += image.confusion;
     num_pixels += image.num_pixels;
   }
   const auto count = static_cast<double>(num_pixels);
-  EXPECT_DOUBLE_EQ(static_cast<double>(num_right) / count, evaluation.all.accuracy.value);
+  EXPECT_DOUBLE_EQ(confusion.Accuracy(), evaluation.all.accuracy.value);
   EXPECT_NEAR(log_loss_sum / count, evaluation.all.log_loss.value, 1e-12);
   EXPECT_NEAR(squared_error_sum / count, evaluation.all.brier.value, 1e-12);
 }
@@ -57,12 +57,12 @@ TEST(MakeCellResult, KeepsCurvesWithTheirEndsInFewPoints) {
   const testing::ModelOwner model = testing::MakeEdgeModel();
   GraspPointEvaluation evaluation = EvaluateGraspPoints(model.get(), set, {});
   const PixelCurves curves = MakeCellResult("cell", {}, evaluation, set).curves;
-  EXPECT_EQ(curves.roc.size(), evaluation.roc.size());
+  EXPECT_EQ(curves.roc.size(), evaluation.curves.roc.size());
   std::size_t num_pixels = 0;
-  for (const ProbabilityBin& bin : curves.reliability) num_pixels += bin.Total();
+  for (const ReliabilityBin& entry : curves.reliability) num_pixels += entry.bin.Total();
   EXPECT_EQ(num_pixels, evaluation.all.confusion.Total());
-  evaluation.roc.clear();
-  for (int i = 0; i <= 200; ++i) evaluation.roc.push_back({i / 200.0, i / 200.0});
+  evaluation.curves.roc.clear();
+  for (int i = 0; i <= 200; ++i) evaluation.curves.roc.push_back({i / 200.0, i / 200.0});
   const std::vector<RocPoint> thinned = MakeCellResult("cell", {}, evaluation, set).curves.roc;
   ASSERT_EQ(thinned.size(), 101U);
   EXPECT_EQ(thinned.front().true_positive_rate, 0.0);
@@ -84,12 +84,17 @@ TEST(ReadCellResult, GivesBackWhatWasWritten) {
   EXPECT_TRUE(std::isnan(read.groups[0].auc.low));
   ASSERT_EQ(read.images.size(), 2U);
   EXPECT_EQ(read.images[0].best.good, 12U);
+  EXPECT_EQ(read.images[0].confusion.true_negative, 5U);
   EXPECT_EQ(read.images[0].log_loss_sum, 1.0 / 3.0);
   ASSERT_EQ(read.curves.roc.size(), 3U);
   EXPECT_EQ(read.curves.roc[1].false_positive_rate, 1.0 / 3.0);
   EXPECT_EQ(read.curves.precision_recall[0].precision, 0.75);
-  EXPECT_EQ(read.curves.reliability[0].num_bad, 3U);
-  EXPECT_TRUE(std::isnan(read.curves.reliability[1].mean_probability));
+  EXPECT_EQ(read.curves.reliability[0].bin.num_bad, 3U);
+  EXPECT_EQ(read.curves.reliability[0].good_share.low, 0.1);
+  EXPECT_TRUE(std::isnan(read.curves.reliability[1].bin.mean_probability));
+  ASSERT_EQ(read.curves.bands.roc.size(), 2U);
+  EXPECT_TRUE(std::isnan(read.curves.bands.roc[0].low));
+  EXPECT_EQ(read.curves.bands.precision_recall[0].low, 1.0 / 3.0);
   EXPECT_EQ(read.search_space.num_images_without_region, 1U);
   ASSERT_EQ(read.search_space.stages.size(), 2U);
   EXPECT_EQ(read.search_space.stages[1].stage, "region");
@@ -109,8 +114,22 @@ TEST(ReadCellResult, RefusesOtherAndDamagedFiles) {
     WriteFileAtomically(folder / "cell.json", damaged);
     EXPECT_THROWS_MESSAGE(ReadCellResult(folder / "cell.json", "a"),
                           Error,
-                          AllOf(HasSubstr("cell.json"), HasSubstr("remove the file")));
+                          AllOf(HasSubstr("cell.json"), HasSubstr("is no result of a cell")));
   }
+}
+
+TEST(ReadCellResult, DoesNotBelieveAChangedNumber) {
+  const testing::TemporaryDirectory folder;
+  WriteCellResult(folder / "cell.json", testing::SmallResult("a"));
+  std::string text = ReadTextFile(folder / "cell.json");
+  const std::string number = "\"best_good\": 20";
+  const std::size_t at = text.find(number);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, number.size(), "\"best_good\": 29");
+  WriteFileAtomically(folder / "cell.json", text);
+  EXPECT_THROWS_MESSAGE(ReadCellResult(folder / "cell.json", "a"),
+                        Error,
+                        AllOf(HasSubstr("cell.json"), HasSubstr("has been changed")));
 }
 
 TEST(ReadCellResult, RefusesOneWithoutFigures) {

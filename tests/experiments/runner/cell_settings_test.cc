@@ -31,6 +31,8 @@ TEST(ApplySetting, ReadsEveryKey) {
                                          {"training_scales", "1+0.5"},
                                          {"classifier", "lda"},
                                          {"region", "object"},
+                                         {"shrinkage", "0.25"},
+                                         {"prior", "0.125"},
                                          {"bad_per_good", "3"}});
   EXPECT_EQ(settings.features, "edges54");
   EXPECT_EQ(settings.energy, features::Energy::kAbs);
@@ -41,6 +43,9 @@ TEST(ApplySetting, ReadsEveryKey) {
   EXPECT_THAT(settings.training_scales, ::testing::ElementsAre(1.0, 0.5));
   EXPECT_EQ(settings.classifier, Classifier::kLda);
   EXPECT_EQ(settings.region, TestRegion::kObject);
+  EXPECT_EQ(settings.shrinkage, 0.25);
+  EXPECT_EQ(settings.shrinkage_rule, lda::ShrinkageRule::kFixed);
+  EXPECT_EQ(settings.prior, 0.125);
   EXPECT_EQ(settings.bad_per_good, 3.0);
 }
 
@@ -51,7 +56,21 @@ TEST(ApplySetting, LeavesTheOthersAsTheyAre) {
   EXPECT_EQ(settings.training_share, CellSettings{}.training_share);
 }
 
+TEST(ApplySetting, TakesShrinkageFromTheDataWhereItIsAuto) {
+  const CellSettings settings = Applied({{"shrinkage", "0.5"}, {"shrinkage", "auto"}});
+  EXPECT_EQ(settings.shrinkage_rule, lda::ShrinkageRule::kLedoitWolf);
+  EXPECT_EQ(settings.shrinkage, 0.0);
+  EXPECT_EQ(Applied({{"shrinkage", "auto"}, {"shrinkage", "1"}}).shrinkage_rule,
+            lda::ShrinkageRule::kFixed);
+}
+
 TEST(ApplySetting, NamesKeyValueAndRule) {
+  for (const char* shrinkage : {"-0.1", "1.5", "nan", "some"}) {
+    EXPECT_THROWS_MESSAGE(
+        Applied({{"shrinkage", shrinkage}}), Error, HasSubstr("a number in [0, 1], or auto"));
+  }
+  EXPECT_THROWS_MESSAGE(Applied({{"prior", "1"}}), Error, HasSubstr("in [0, 1)"));
+  EXPECT_THROWS_MESSAGE(Applied({{"prior", "auto"}}), Error, HasSubstr("in [0, 1)"));
   EXPECT_THROWS_MESSAGE(Applied({{"ridge", "-1"}}),
                         Error,
                         AllOf(HasSubstr("ridge is \"-1\""), HasSubstr("from 0 on")));

@@ -82,7 +82,14 @@ TEST_F(TrainCellTest, TrainsByDiscriminantAnalysis) {
   EXPECT_LT(training.log_loss, std::numbers::ln2);
   settings_.features = "edges54,energy=log";
   settings_.samples = 4;
-  EXPECT_THROWS_MESSAGE(Train(), Error, ::testing::HasSubstr("linear discriminant analysis"));
+  EXPECT_THROWS_MESSAGE(Train(), Error, ::testing::HasSubstr("set shrinkage = \"auto\""));
+  settings_.shrinkage_rule = lda::ShrinkageRule::kLedoitWolf;
+  settings_.prior = 0.25;
+  const CellTraining shrunk = Train();
+  EXPECT_EQ(shrunk.termination, "solved");
+  const LoadedModel model = LoadModel(shrunk.model);
+  EXPECT_EQ(MetadataOf(model.get(), "hc.training.lda.shrinkage_rule"), "ledoit_wolf");
+  EXPECT_EQ(MetadataOf(model.get(), "hc.training.lda.positive_prior"), "0.25");
 }
 
 TEST_F(TrainCellTest, TellsOfAnEndWithoutAnOptimum) {

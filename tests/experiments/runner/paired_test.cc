@@ -26,7 +26,7 @@ ImageFigures Picture(const std::string& name,
           .object_class = object_class,
           .best = {.good = good, .bad = bad},
           .num_pixels = 10,
-          .num_right = good,
+          .confusion = {.true_positive = good, .true_negative = 0, .false_negative = 10 - good},
           .log_loss_sum = static_cast<double>(bad),
           .squared_error_sum = 0.5 * static_cast<double>(bad)};
 }

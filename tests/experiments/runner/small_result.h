@@ -38,13 +38,16 @@ inline experiments::CellResult SmallResult(const std::string& id) {
                     .object_class = "mug, blue",
                     .best = {.good = 12, .bad = 3},
                     .num_pixels = 10,
-                    .num_right = 9,
+                    .confusion = {.true_positive = 4, .true_negative = 5, .false_negative = 1},
                     .log_loss_sum = 1.0 / 3.0,
                     .squared_error_sum = 0.5},
                    {.image = "b.png", .object_class = "mug, blue", .best = {.good = 8, .bad = 7}}};
   result.curves = {.roc = {{0.0, 0.0}, {1.0 / 3.0, 0.5}, {1.0, 1.0}},
                    .precision_recall = {{0.5, 0.75}, {1.0, 0.5}},
-                   .reliability = {{0.0, 0.5, 1, 3, 0.25}, {0.5, 1.0, 0, 0, nan}}};
+                   .bands = {.roc = {{0.0, nan, nan}, {1.0, 0.25, 1.0}},
+                             .precision_recall = {{0.5, 1.0 / 3.0, 0.9}}},
+                   .reliability = {{{0.0, 0.5, 1, 3, 0.25}, {0.25, 0.1, nan}},
+                                   {{0.5, 1.0, 0, 0, nan}, {nan, nan, nan}}}};
   result.search_space = {.num_images_without_region = 1,
                          .stages = {{.stage = "picture", .num_pixels = 300.0},
                                     {.stage = "region", .num_pixels = 12.5, .time_ms = 0.75}}};

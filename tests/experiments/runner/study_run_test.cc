@@ -93,7 +93,9 @@ TEST_F(RunStudyTest, WorksOutAgainWhatHasLostItsModel) {
   const std::filesystem::path model = ModelFileOf(folder_ / "out", first.cells[1]);
   std::filesystem::remove(model);
   WriteFileAtomically(ModelFileOf(folder_ / "out", first.cells[2]), "half");
-  EXPECT_EQ(Run("out").num_resumed, 6U);
+  const StudyRun again = Run("out");
+  EXPECT_EQ(again.num_resumed, 6U);
+  EXPECT_EQ(again.redone.size(), 2U);
   EXPECT_TRUE(std::filesystem::exists(model));
   EXPECT_EQ(ResultsOf("out"), results);
 }
@@ -131,12 +133,26 @@ TEST_F(RunStudyTest, RefusesOtherPicturesByName) {
   EXPECT_THROWS_MESSAGE(Run("out"), Error, HasSubstr("another input \"data.train\""));
 }
 
-TEST_F(RunStudyTest, NamesADamagedCell) {
+TEST_F(RunStudyTest, WorksOutAgainWhatIsCutOffOrChangedAndSaysSo) {
   const StudyRun first = Run("out");
-  const std::filesystem::path file = ResultFileOf(folder_ / "out", first.cells[2]);
-  const std::string text = ReadTextFile(file);
-  WriteFileAtomically(file, std::string_view(text).substr(0, 50));
-  EXPECT_THROWS_MESSAGE(Run("out"), Error, HasSubstr(file.filename().string()));
+  EXPECT_TRUE(first.redone.empty());
+  const std::string results = ResultsOf("out");
+  const std::filesystem::path cut = ResultFileOf(folder_ / "out", first.cells[2]);
+  const std::string whole = ReadTextFile(cut);
+  WriteFileAtomically(cut, std::string_view(whole).substr(0, whole.size() / 2));
+  const std::filesystem::path changed = ResultFileOf(folder_ / "out", first.cells[5]);
+  std::string text = ReadTextFile(changed);
+  const std::string number = "\"num_images\": 4";
+  ASSERT_NE(text.find(number), std::string::npos);
+  text.replace(text.find(number), number.size(), "\"num_images\": 5");
+  WriteFileAtomically(changed, text);
+  const StudyRun again = Run("out");
+  EXPECT_EQ(again.num_resumed, 6U);
+  ASSERT_EQ(again.redone.size(), 2U);
+  EXPECT_THAT(again.redone[0], HasSubstr(first.cells[2].id + " is worked out again"));
+  EXPECT_THAT(again.redone[1], HasSubstr("has been changed since it was written"));
+  EXPECT_EQ(ResultsOf("out"), results);
+  EXPECT_TRUE(Run("out").redone.empty());
 }
 
 TEST_F(RunStudyTest, WritesNothingWhereARegionNeedsDepth) {

@@ -29,26 +29,22 @@ TEST(SummariseStudy, PutsRepetitionsTogether) {
   EXPECT_NEAR(summary.series[3].by_class[2].figures.best_pixel_accuracy.value, 0.6, 1e-12);
 }
 
-TEST(SummariseStudy, AveragesIntervalsAndAddsUpBins) {
+TEST(SummariseStudy, AveragesIntervalsAndAddsUpMatrices) {
   StudyRun run = testing::SmallRun();
   run.results[0].groups.back().auc = {0.75, 0.7, 0.9};
   run.results[1].groups.back().auc = {0.85, 0.6, 1.0};
   run.results[0].groups.back().strict_confusion = {.true_positive = 2, .false_negative = 1};
   run.results[1].groups.back().strict_confusion = {.true_positive = 3};
-  const double nan = std::nan("");
-  run.results[0].curves.reliability = {{0.0, 0.5, 1, 2, 0.2}, {0.5, 1.0, 0, 0, nan}};
-  run.results[1].curves.reliability = {{0.0, 0.5, 4, 2, 0.4}, {0.5, 1.0, 0, 0, nan}};
   const SeriesSummary series = SummariseStudy(run, 1).series[0];
   EXPECT_DOUBLE_EQ(series.auc.value, 0.8);
   EXPECT_DOUBLE_EQ(series.auc.low, 0.65);
   EXPECT_DOUBLE_EQ(series.auc.high, 0.95);
   EXPECT_EQ(series.strict_confusion.true_positive, 5U);
   EXPECT_EQ(series.strict_confusion.false_negative, 1U);
-  ASSERT_EQ(series.reliability.size(), 2U);
-  EXPECT_EQ(series.reliability[0].num_good, 5U);
-  EXPECT_EQ(series.reliability[0].num_bad, 4U);
-  EXPECT_DOUBLE_EQ(series.reliability[0].mean_probability, (3 * 0.2 + 6 * 0.4) / 9.0);
-  EXPECT_TRUE(std::isnan(series.reliability[1].mean_probability));
+  const PooledFigures& figures = series.by_class.back().figures;
+  EXPECT_DOUBLE_EQ(figures.rates.true_positive_rate.value, 0.8);
+  EXPECT_EQ(figures.rates.true_negative_rate.value, 1.0);
+  EXPECT_DOUBLE_EQ(figures.strict_rates.true_positive_rate.value, 0.5);
 }
 
 TEST(SummariseStudy, ComparesWithTheBaselineOfTheSameFactors) {

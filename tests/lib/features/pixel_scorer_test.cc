@@ -179,6 +179,20 @@ TEST(PixelScorer, TakesTheSparseWayForOutlinesAndTheDenseForAll) {
   EXPECT_EQ(way(4), ScoringWay::kSparse) << "none";
 }
 
+// What a run takes besides its filters weighs more where there are few of them.
+TEST(PixelScorer, TakesTheDenseWaySoonerWithFewFilters) {
+  Rng rng(1);
+  std::vector<std::uint8_t> wanted(640 * 480);
+  for (std::uint8_t& byte : wanted) byte = rng.UniformInt(100) == 0 ? 1 : 0;
+  const auto way = [&](const char* spec, int num_features) {
+    const PixelScorer scorer(ParseFeatureSpec(spec), RandomWeights(num_features, 0.1, 2), 0.0);
+    return scorer.CheaperWay(640, 480, {wanted.data(), 640});
+  };
+  EXPECT_EQ(way("edges54", 54), ScoringWay::kDense);
+  EXPECT_EQ(way("window180", 180), ScoringWay::kSparse);
+  EXPECT_EQ(way("all500", 500), ScoringWay::kSparse);
+}
+
 TEST(PixelScorer, TakesAPixelTwiceAndAnyColumnOrder) {
   const FeatureSpec spec = ParseFeatureSpec("edges54");
   const Picture picture = MakePicture(33, 7, PixelFormat::kGray8, 4);

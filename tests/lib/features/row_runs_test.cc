@@ -92,28 +92,29 @@ TEST(BoxOf, IsTheSmallest) {
 }
 
 // By hand, radius 1: the pixel is in the window of three rows, of one column each.
-TEST(SparseCost, CountsColumnsAndRuns) {
+TEST(SparseWork, CountsColumnsAndRuns) {
   const Mask mask({Row(90, {}), Row(90, {40}), Row(90, {})});
   const RegionBox box = BoxOf(mask.View(), 90, 3);
-  EXPECT_EQ(SparseCost(mask.View(), box, 1), 3 * (1 + kRunOverhead));
-  EXPECT_EQ(SparseCost(mask.View(), box, 0), 1 + kRunOverhead);
-  EXPECT_EQ(SparseCost(mask.View(), {}, 0), 0);
+  EXPECT_EQ(SparseWork(mask.View(), box, 1).num_columns, 3 * (1 + kRunOverhead));
+  EXPECT_EQ(SparseWork(mask.View(), box, 1).num_runs, 3);
+  EXPECT_EQ(SparseWork(mask.View(), box, 0).num_columns, 1 + kRunOverhead);
+  EXPECT_EQ(SparseWork(mask.View(), {}, 0).num_columns, 0);
 }
 
-TEST(DenseCost, CountsEveryRowOfEveryStrip) {
-  EXPECT_EQ(DenseCost(640, 480, 1), (640 + 5 * kStripOverhead) * 482);
-  EXPECT_EQ(DenseCost(129, 1, 0), 129 + 2 * kStripOverhead);
+TEST(NumDenseColumns, CountsEveryRowOfEveryStrip) {
+  EXPECT_EQ(NumDenseColumns(640, 480, 1), (640 + 5 * kStripOverhead) * 482);
+  EXPECT_EQ(NumDenseColumns(129, 1, 0), 129 + 2 * kStripOverhead);
 }
 
 // A mask that wants everything is the dense way's, an outline the sparse way's.
-TEST(SparseCost, CrossesTheDenseCost) {
+TEST(SparseWork, ComesToMoreColumnsThanTheDenseWayForAllPixels) {
   const Mask all(std::vector<std::string>(200, std::string(200, '#')));
-  const auto cost = [](const Mask& mask) {
-    return SparseCost(mask.View(), BoxOf(mask.View(), mask.width, mask.height), 1);
+  const auto columns = [](const Mask& mask) {
+    return SparseWork(mask.View(), BoxOf(mask.View(), mask.width, mask.height), 1).num_columns;
   };
-  EXPECT_GE(cost(all), DenseCost(200, 200, 1));
+  EXPECT_GE(columns(all), NumDenseColumns(200, 200, 1));
   std::vector<std::string> rows(200, Row(200, {50, 51, 52, 150, 151, 152}));
-  EXPECT_LT(cost(Mask(rows)), DenseCost(200, 200, 1) / 3);
+  EXPECT_LT(columns(Mask(rows)), NumDenseColumns(200, 200, 1) / 3);
 }
 
 }  // namespace

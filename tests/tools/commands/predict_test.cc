@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -10,10 +11,12 @@
 
 #include "datasets/formats/organised_cloud.h"
 #include "lib/core/file.h"
+#include "lib/core/rng.h"
 #include "lib/perception/image_io.h"
 #include "tests/lib/perception/table_scene.h"
 #include "tests/tools/support/generated_data.h"
 #include "tests/tools/support/run.h"
+#include "tests/tools/support/small_camera_file.h"
 
 namespace handcraft::tools {
 namespace {
@@ -204,6 +207,31 @@ TEST_F(PredictRegionTest, PrintsTheStages) {
                     HasSubstr("\n\nstage             pixels  time [ms]\npicture             4800"),
                     HasSubstr("off the table        400"),
                     HasSubstr("scored")));
+}
+
+// What is seen twice, 11 px apart, is a board 1.43 m away that faces the camera.
+TEST_F(PredictTest, TellsTheTimeOfMatchingAPair) {
+  Rng rng = Rng::Stream(1, "predict_pair");
+  Image left(160, 120, 3);
+  for (int i = 0; i < 3 * 160 * 120; ++i) {
+    left.Row(0)[i] = static_cast<std::uint8_t>(rng.UniformInt(256));
+  }
+  Image right(160, 120, 3);
+  for (int v = 0; v < 120; ++v) std::copy_n(left.Row(v) + 3 * 11, 3 * 149, right.Row(v));
+  perception::WritePng(folder_ / "left.png", left);
+  perception::WritePng(folder_ / "right.png", right);
+  const std::string camera = testing::CameraFile(folder_.path(), "baseline_m = 0.12\n");
+  const std::string options =
+      "--min-probability 0 --camera " + camera + " --right " + (folder_ / "right.png").string();
+  const Outcome outcome = Predict({"grasp", "left.png"}, options + " --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto stages = nlohmann::json::parse(outcome.out)["predictions"][0]["search"]["stages"];
+  EXPECT_EQ(stages[0]["name"], "picture");
+  EXPECT_EQ(stages[1]["name"], "matched");
+  EXPECT_EQ(stages[1]["num_pixels"], stages[2]["num_pixels"]);
+  EXPECT_GT(stages[1]["time_ms"].get<double>(), 0.0);
+  EXPECT_EQ(stages[2]["name"], "measured");
+  EXPECT_THAT(Predict({"grasp", "left.png"}, options).out, HasSubstr("\nmatched "));
 }
 
 TEST_F(PredictRegionTest, SaysThatThereIsNoTable) {

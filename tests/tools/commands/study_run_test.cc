@@ -9,6 +9,7 @@
 
 #include "lib/core/file.h"
 #include "tests/experiments/runner/small_study.h"
+#include "tests/support/read_tree.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/tools/support/run.h"
 
@@ -48,6 +49,36 @@ TEST_F(StudyRunTest, RunsAFileOnOtherDataAndGoesOn) {
   EXPECT_THAT(outcome.out, HasSubstr("2 cells\n"));
   EXPECT_THAT(ReadTextFile(folder_ / "out/results.csv"), HasSubstr("\"b,repetition=1\",b,1,even"));
   EXPECT_THAT(Run("").out, HasSubstr("2 cells, 2 of an earlier run"));
+}
+
+TEST_F(StudyRunTest, TakesNoFolderOfSomethingElse) {
+  ASSERT_EQ(RunLine("study run feature-analysis --data " + Path("data") + " --out " + Path("out") +
+                    " --features filters=laws_LL+edge_0+edge_90,window=1 --samples 100 "
+                    "--classifier-samples 100")
+                .code,
+            0);
+  const auto before = handcraft::testing::ReadTree(folder_ / "out");
+  const Outcome outcome = Run("");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("another input \"study\": study = feature-analysis, now "));
+  EXPECT_EQ(handcraft::testing::ReadTree(folder_ / "out"), before);
+  std::filesystem::remove_all(folder_ / "out");
+  std::filesystem::create_directory(folder_ / "out");
+  WriteFileAtomically(folder_ / "out/letter.txt", "Dear");
+  const Outcome letters = Run("");
+  EXPECT_EQ(letters.code, 2);
+  EXPECT_THAT(letters.err, HasSubstr("holds something else than the results of a study"));
+  EXPECT_EQ(ReadTextFile(folder_ / "out/letter.txt"), "Dear");
+}
+
+TEST_F(StudyRunTest, SaysWhichCellIsWorkedOutAgain) {
+  ASSERT_EQ(Run("").code, 0);
+  const std::filesystem::path cell = folder_ / "out/cells/a,repetition=1.json";
+  WriteFileAtomically(cell, std::string_view(ReadTextFile(cell)).substr(0, 1000));
+  const Outcome outcome = Run("");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("a,repetition=1 is worked out again"));
+  EXPECT_THAT(outcome.out, HasSubstr("2 cells, 1 of an earlier run"));
 }
 
 TEST_F(StudyRunTest, TakesTheSizeAskedFor) {
