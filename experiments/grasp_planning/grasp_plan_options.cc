@@ -12,6 +12,7 @@
 
 #include "lib/core/error.h"
 #include "lib/core/option_rules.h"
+#include "lib/features/grasp_search.h"
 #include "lib/structured_text/toml_file.h"
 #include "lib/structured_text/toml_table.h"
 
@@ -20,7 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMaxNeighbours = 32;
+constexpr int kMaxNeighbours = features::kMaxGraspNeighbours;
+constexpr int kMaxAttempts = features::kMaxRankedGrasps;
+constexpr double kMaxDistanceM = 1e3;
 
 // The numbers of an array.
 std::vector<double> NumbersOf(const TomlTable& table, std::string_view key, std::size_t count) {
@@ -57,10 +60,17 @@ void ReadGraspPoint(const TomlTable& file, const fs::path& folder, GraspPlanOpti
 void ReadLibrary(const TomlTable& file, const fs::path& folder, GraspPlanOptions& options) {
   if (!file.Has("grasp_library")) return;
   const TomlTable table = file.Table("grasp_library");
-  table.AllowOnly(std::array<std::string_view, 3>{"model", "neighbours", "position"});
+  table.AllowOnly(std::array<std::string_view, 5>{
+      "model", "neighbours", "position", "attempts", "attempt_distance_m"});
   if (table.Has("model")) options.grasp_library = folder / table.Text("model");
   if (table.Has("neighbours")) {
     options.num_neighbours = static_cast<int>(table.Number("neighbours", 1, kMaxNeighbours));
+  }
+  if (table.Has("attempts")) {
+    options.max_attempts = static_cast<int>(table.Number("attempts", 1, kMaxAttempts));
+  }
+  if (table.Has("attempt_distance_m")) {
+    options.max_attempt_distance_m = table.Number("attempt_distance_m", 0, kMaxDistanceM);
   }
   if (!table.Has("position")) return;
   const std::string position = table.Text("position");
@@ -130,6 +140,14 @@ void GraspPlanOptions::Validate() const {
                 "GraspPlanOptions.num_neighbours",
                 num_neighbours,
                 "from 1 to 32");
+  RequireOption(max_attempts >= 1 && max_attempts <= kMaxAttempts,
+                "GraspPlanOptions.max_attempts",
+                max_attempts,
+                "from 1 to 64");
+  RequireOption(max_attempt_distance_m >= 0.0 && max_attempt_distance_m <= kMaxDistanceM,
+                "GraspPlanOptions.max_attempt_distance_m",
+                max_attempt_distance_m,
+                "from 0 to 1000");
   double squared = 0.0;
   for (const double part : grasp_centre_xyzw) squared += part * part;
   RequireOption(std::fabs(squared - 1.0) <= 1e-3,

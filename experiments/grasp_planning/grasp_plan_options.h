@@ -28,6 +28,11 @@ struct GraspPlanOptions {
   std::filesystem::path grasp_library = {};  ///< layers 2 and 3
   int num_neighbours = 1;                    ///< demonstrations averaged; 1 to 32
   GraspPosition position = GraspPosition::kGraspPoint;
+  /// Demonstrations of the class at that angle that are tried, nearest first, until the arm reaches
+  /// one; 1 to 64. Those after the first only where their distance from p_g is at most
+  /// max_attempt_distance_m (0: any) and the library's own limit.
+  int max_attempts = 16;
+  double max_attempt_distance_m = 0.0;
   std::filesystem::path robot = {};  ///< robot file of the arm
   /// Whether the arm may be another than that of the demonstrations: other joint names.
   bool any_arm = false;
@@ -52,6 +57,8 @@ struct GraspPlanOptions {
 ///     model = "grasp_library.safetensors"
 ///     neighbours = 1                         # optional
 ///     position = "grasp_point"               # or "demonstration"
+///     attempts = 16                          # optional
+///     attempt_distance_m = 0.05              # optional
 ///     [robot]
 ///     file = "right_arm.toml"
 ///     any_arm = false                        # optional

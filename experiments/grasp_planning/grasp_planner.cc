@@ -3,8 +3,10 @@
 
 #include "experiments/grasp_planning/grasp_planner.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,6 +14,7 @@
 #include "experiments/evaluation/runtime_scoring.h"
 #include "lib/core/error.h"
 #include "lib/perception/search_region.h"
+#include "lib/robot/nearest_attempt.h"
 #include "lib/robot/robot_file.h"
 #include "lib/runtime/model_handle.h"
 
@@ -243,6 +246,62 @@ void GraspPlanner::FindPoint(const GraspScene& scene, GraspPlan& plan) const {
   }
 }
 
+// The grasps that may be tried: of those after the first only the ones near enough.
+void GraspPlanner::RankGrasps(const features::ShownClass& shown,
+                              double object_angle_rad,
+                              const features::Vector3& mean_m,
+                              const GraspPlan& plan) {
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  const double wanted_m = options_.max_attempt_distance_m;
+  const double farthest_m =
+      std::min(wanted_m > 0.0 ? wanted_m : kAny, plan.rejection_distance_m.value_or(kAny));
+  grasps_.resize(static_cast<std::size_t>(options_.max_attempts));
+  grasps_.resize(
+      features::RankGraspsAt(shown,
+                             object_angle_rad,
+                             mean_m,
+                             {.point_m = plan.point_m,
+                              .num_neighbours = static_cast<std::size_t>(options_.num_neighbours)},
+                             grasps_));
+  while (grasps_.size() > 1 && grasps_.back().distance_m > farthest_m) grasps_.pop_back();
+}
+
+void GraspPlanner::SetGrasp(std::size_t rank, GraspPlan& plan) const {
+  plan.rank = rank;
+  plan.grasp = grasps_[rank];
+  plan.base_from_grasp =
+      PoseOf(options_.position == GraspPosition::kGraspPoint ? plan.point_m : plan.grasp.position_m,
+             plan.grasp.rotation);
+  plan.base_from_tip = plan.base_from_grasp * robot::Inverse(tip_from_grasp_);
+}
+
+void GraspPlanner::Reach(GraspPlan& plan) const {
+  for (std::size_t rank = 0; rank < grasps_.size(); ++rank) {
+    SetGrasp(rank, plan);
+    plan.num_attempts = rank + 1;
+    solver_->FindSolutions(plan.base_from_tip, options_.reference_joints, plan.kinematics);
+    if (plan.kinematics.IsSolved()) return;
+  }
+  ComeNearest(plan);
+}
+
+// Of grasps that are all out of reach the one whose nearest attempt is off least.
+void GraspPlanner::ComeNearest(GraspPlan& plan) const {
+  std::size_t nearest = 0;
+  double least_m2 = std::numeric_limits<double>::infinity();
+  robot::InverseKinematicsResult attempt;
+  for (std::size_t rank = 0; rank < grasps_.size() && !plan.kinematics.IsSolved(); ++rank) {
+    SetGrasp(rank, plan);
+    solver_->Solve(plan.base_from_tip, options_.reference_joints, attempt);
+    const double error_m2 = robot::SquaredError(attempt.best.error);
+    if (!attempt.IsSolved() && error_m2 >= least_m2) continue;
+    least_m2 = error_m2;
+    nearest = rank;
+    std::swap(plan.kinematics, attempt);
+  }
+  SetGrasp(nearest, plan);
+}
+
 GraspPlan GraspPlanner::Plan(const GraspScene& scene) {
   RequireSizes(scene);
   const features::ObjectCloud cloud = CloudOf(scene);
@@ -264,19 +323,10 @@ GraspPlan GraspPlanner::Plan(const GraspScene& scene) {
   }
   const std::size_t nearest = features::NearestView(view, shown.views, library.library.rule);
   clock.Done("object rotation");
-  plan.grasp =
-      features::FindGraspAt(shown,
-                            shown.view_angles_rad[nearest],
-                            view.mean_m,
-                            {.point_m = plan.point_m,
-                             .num_neighbours = static_cast<std::size_t>(options_.num_neighbours)});
-  plan.grasp.view = nearest;
-  plan.base_from_grasp =
-      PoseOf(options_.position == GraspPosition::kGraspPoint ? plan.point_m : plan.grasp.position_m,
-             plan.grasp.rotation);
-  plan.base_from_tip = plan.base_from_grasp * robot::Inverse(tip_from_grasp_);
+  RankGrasps(shown, shown.view_angles_rad[nearest], view.mean_m, plan);
   clock.Done("nearest demonstration");
-  solver_->Solve(plan.base_from_tip, options_.reference_joints, plan.kinematics);
+  Reach(plan);
+  plan.grasp.view = nearest;
   clock.Done("inverse kinematics");
   return plan;
 }

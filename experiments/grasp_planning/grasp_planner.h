@@ -47,6 +47,9 @@ struct GraspPlan {
   features::Vector3 point_m = {};          ///< p_g
   std::string object_class = {};
   features::FoundGrasp grasp = {};
+  /// Nearer demonstrations than the grasp's, whose poses the arm does not reach.
+  std::size_t rank = 0;
+  std::size_t num_attempts = 0;  ///< demonstrations whose poses the arm was asked for
   std::optional<double> rejection_distance_m = {};  ///< of the library
   robot::Pose base_from_grasp = {};                 ///< the hand's grasp centre
   robot::Pose base_from_tip = {};                   ///< the arm's tip
@@ -60,7 +63,9 @@ struct GraspPlan {
 };
 
 /// Grasp planning, layer after layer (dissertation, chapter 4): p_g, the class, the turn about z,
-/// the nearest demonstration, joint values. Models and arm are loaded once.
+/// the nearest demonstration, joint values. Where the arm does not reach the nearest one, the next
+/// nearest are tried; where it reaches none of them, the one that it comes nearest to is told.
+/// Models and arm are loaded once.
 class GraspPlanner {
  public:
   /// Throws Error: options that break their rules, files that cannot be loaded, a model of another
@@ -84,6 +89,13 @@ class GraspPlanner {
   [[nodiscard]] std::string ClassOf(const GraspScene& scene);
   void FindPoint(const GraspScene& scene, GraspPlan& plan) const;
   void TakeBestPixel(const GraspScene& scene, GraspPlan& plan) const;
+  void RankGrasps(const features::ShownClass& shown,
+                  double object_angle_rad,
+                  const features::Vector3& mean_m,
+                  const GraspPlan& plan);
+  void SetGrasp(std::size_t rank, GraspPlan& plan) const;
+  void Reach(GraspPlan& plan) const;
+  void ComeNearest(GraspPlan& plan) const;
 
   GraspPlanOptions options_;
   LoadedModel library_;
@@ -93,6 +105,7 @@ class GraspPlanner {
   std::optional<CloudClassifier> classifier_ = {};
   std::unique_ptr<robot::InverseKinematics> solver_;
   robot::Pose tip_from_grasp_;
+  std::vector<features::FoundGrasp> grasps_;  ///< that may be tried, nearest first
   std::vector<float> scratch_;
 };
 

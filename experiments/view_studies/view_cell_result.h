@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiments/metrics/binary_metrics.h"
+#include "experiments/view_studies/rejection_curve.h"
 
 namespace handcraft::experiments {
 
@@ -28,6 +29,18 @@ struct AnswerCounts {
   std::vector<std::vector<bool>> is_right = {};  ///< rows × columns
 };
 
+/// How far the answers of a group that were not rejected are from the truth: medians, and the 90th
+/// percentiles. NaN where all were rejected.
+struct GroupErrors {
+  std::string name;
+  std::size_t num_asked = 0;
+  std::size_t num_kept = 0;
+  double median_position_m = 0.0;
+  double high_position_m = 0.0;
+  double median_rotation_deg = 0.0;
+  double high_rotation_deg = 0.0;
+};
+
 /// How long something took.
 struct TimeFigure {
   std::string name;  ///< with its unit: "training_s"
@@ -40,6 +53,8 @@ struct ViewCellResult {
   AnswerCounts answers;
   std::vector<GroupShare> groups = {};  ///< one a row of the answers, then those of many rows
   std::vector<TimeFigure> times = {};
+  std::vector<GroupErrors> errors = {};        ///< where answers are poses
+  std::vector<RejectionPoint> rejection = {};  ///< where answers can be doubted
 };
 
 /// A group of the row's views.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "datasets/formats/listing_rules.h"
+#include "datasets/synthetic/demonstrations.h"
 #include "datasets/view_folds.h"
 #include "lib/core/error.h"
 
@@ -31,6 +32,22 @@ datasets::ViewSet MakeSet(const ViewSource& source,
                                  .num_threads = num_threads,
                                  .progress = progress})
       .set;
+}
+
+// Views with poses shown for them, in a folder of their own.
+datasets::ViewSet MakeShown(const ViewSource& source,
+                            const fs::path& folder,
+                            int num_threads,
+                            const Progress& progress) {
+  static_cast<void>(synthetic::MakeDemonstrations(folder,
+                                                  {.views = {.family = source.families.front(),
+                                                             .num_views = source.num_views,
+                                                             .sensor = source.sensor,
+                                                             .seed = source.seed,
+                                                             .num_threads = num_threads,
+                                                             .progress = progress},
+                                                   .poses_per_view = source.num_poses}));
+  return datasets::ReadViewSet(folder);
 }
 
 // The view with its paths as seen from the folder above its set's.
@@ -59,6 +76,7 @@ datasets::ViewSet ProvideViews(const ViewSource& source,
                                int num_threads,
                                const Progress& progress) {
   if (!source.folder.empty()) return ReadFolder(source);
+  if (source.num_poses > 0) return MakeShown(source, made_folder, num_threads, progress);
   fs::create_directories(made_folder);
   datasets::ViewSet all{.root = made_folder, .items = {}};
   for (int number = 0; number < source.num_sets; ++number) {

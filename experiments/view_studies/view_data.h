@@ -13,7 +13,8 @@ namespace handcraft::experiments {
 
 /// The views of a source as one set. Made sets lie in folders below `made_folder`, which is then
 /// the set's own; of several sets (ViewSource::num_sets) a class is "drill 2". Goes on with what an
-/// earlier call has made there. Throws Error as ReadViewSet and MakeViewSet do.
+/// earlier call has made there. A demonstration set (ViewSource::num_poses) keeps its own folder.
+/// Throws Error as ReadViewSet and MakeViewSet do.
 [[nodiscard]] datasets::ViewSet ProvideViews(const ViewSource& source,
                                              const std::filesystem::path& made_folder,
                                              int num_threads,

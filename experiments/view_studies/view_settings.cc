@@ -6,6 +6,7 @@
 #include <array>
 
 #include "experiments/runner/setting_values.h"
+#include "lib/features/grasp_search.h"
 
 namespace handcraft::experiments {
 namespace {
@@ -131,6 +132,33 @@ constexpr std::array kKeys = {
         [](const Setting& setting, ViewSettings& settings) {
           settings.rotation.angle_weight = ParseFromZero(setting);
         }},
+    Key{"neighbours",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.grasps.num_neighbours =
+              ParseWithin(setting, std::size_t{1}, features::kMaxGraspNeighbours);
+        }},
+    Key{"max_distance_m",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.grasps.max_distance_m = ParseFromZero(setting);
+        }},
+    Key{"held_out",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.grasps.held_out =
+              ParseWord(setting, {HeldOutPart::kDemonstration, HeldOutPart::kView});
+        }},
+    Key{"attempts",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.grasps.max_attempts =
+              ParseWithin(setting, 1, static_cast<int>(features::kMaxRankedGrasps));
+        }},
+    Key{"robot",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.grasps.robot = setting.value;
+        }},
+    Key{"grasp_points",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.grasps.grasp_points = setting.value;
+        }},
     Key{"num_classes",
         [](const Setting& setting, ViewSettings& settings) {
           settings.num_classes = ParseWithin(setting, std::size_t{0}, std::size_t{4096});
@@ -144,6 +172,10 @@ constexpr auto kKeyNames = [] {
 }();
 
 }  // namespace
+
+std::string_view NameOf(HeldOutPart part) noexcept {
+  return part == HeldOutPart::kDemonstration ? "demonstration" : "view";
+}
 
 std::span<const std::string_view> ViewSettingKeys() { return kKeyNames; }
 

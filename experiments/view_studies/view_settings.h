@@ -4,7 +4,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "experiments/object_classes/object_class_training.h"
@@ -13,11 +15,29 @@
 
 namespace handcraft::experiments {
 
+/// What is not there when a demonstration is looked for among the others of its class.
+enum class HeldOutPart : std::uint8_t {
+  kDemonstration,  ///< it alone: the others of its view are asked
+  kView,           ///< all of its view: those of the view nearest by angle are asked
+};
+[[nodiscard]] std::string_view NameOf(HeldOutPart part) noexcept;
+
+/// Layer 3, and the plans that end with it.
+struct GraspSettings {
+  std::size_t num_neighbours = 1;  ///< demonstrations averaged
+  double max_distance_m = 0.0;     ///< a nearest one that is farther is rejected; 0: none is
+  HeldOutPart held_out = HeldOutPart::kDemonstration;
+  int max_attempts = 16;  ///< demonstrations tried until the arm reaches one
+  std::string robot = "models/robots/dual_wam/right_arm.toml";  ///< robot file of the arm
+  std::string grasp_points = {};  ///< model that tells where to grasp; empty: the picture's middle
+};
+
 /// What a cell of a study of views does: how it describes a cloud, how it tells classes apart, how
-/// it finds the most similar view.
+/// it finds the most similar view and the nearest demonstrations.
 struct ViewSettings {
   ObjectClassOptions classes = {};
   features::RotationRule rotation = {};
+  GraspSettings grasps = {};
   std::size_t num_classes = 0;  ///< the first ones alone; 0: all
 };
 

@@ -76,8 +76,8 @@ CloudSensor ParseSensor(const TomlTable& table) {
 }
 
 ViewSource ParseSource(const TomlTable& table, StudySize size) {
-  table.AllowOnly(std::array<std::string_view, 8>{
-      "folder", "split", "made", "kind", "sensor", "views", "sets", "seed"});
+  table.AllowOnly(std::array<std::string_view, 9>{
+      "folder", "split", "made", "kind", "sensor", "views", "poses", "sets", "seed"});
   if (table.Has("folder") == table.Has("made")) {
     table.Fail(table.table(), "data has either a folder or made views");
   }
@@ -91,6 +91,14 @@ ViewSource ParseSource(const TomlTable& table, StudySize size) {
   if (table.Has("kind")) source.kind = ParseKind(table);
   if (table.Has("sensor")) source.sensor = ParseSensor(table);
   source.num_views = static_cast<int>(ParseWhole(table, "views", size, 2));
+  if (table.Has("poses")) {
+    source.num_poses = static_cast<int>(ParseWhole(table, "poses", size, 1));
+    if (source.families.size() != 1 || table.Has("kind") || table.Has("sets")) {
+      table.Fail(table.Node("poses"),
+                 "poses are shown on the turntable of one family",
+                 "leave kind and sets out, and name one family");
+    }
+  }
   if (table.Has("sets")) source.num_sets = static_cast<int>(ParseWhole(table, "sets", size, 1));
   if (table.Has("seed")) {
     source.seed = static_cast<std::uint64_t>(ParseWhole(table, "seed", size, 0));
@@ -98,12 +106,45 @@ ViewSource ParseSource(const TomlTable& table, StudySize size) {
   return source;
 }
 
+void ParseData(const TomlTable& data, StudySize size, ViewStudy& study) {
+  data.AllowOnly(std::array<std::string_view, 3>{"train", "test", "demonstrations"});
+  study.train = ParseSource(data.Table("train"), size);
+  const bool may_have_test =
+      study.task == ViewTask::kObjectClass || study.task == ViewTask::kObjectRotation;
+  if (data.Has("test") && !may_have_test) {
+    data.Fail(data.Node("test"),
+              fmt::format("{} asks about [data.train]", NameOf(study.task)),
+              "leave it out");
+  }
+  if (data.Has("test")) study.test = ParseSource(data.Table("test"), size);
+  if (!study.train.split.empty() && !may_have_test) {
+    data.Fail(data.Node("train"),
+              fmt::format("{} asks about all of a folder", NameOf(study.task)),
+              "leave split out");
+  }
+  if (data.Has("demonstrations") != (study.task == ViewTask::kGraspPlan)) {
+    data.Fail(data.table(), "[data.demonstrations] goes with the task grasp-plan, which needs it");
+  }
+  if (!data.Has("demonstrations")) return;
+  const TomlTable table = data.Table("demonstrations");
+  study.demonstrations = ParseSource(table, size);
+  if (table.Has("split")) table.Fail(table.Node("split"), "demonstrations are taken whole");
+  if (study.demonstrations->folder.empty() && study.demonstrations->num_poses == 0) {
+    table.Fail(table.table(), "made demonstrations need poses", "give poses, how many a view");
+  }
+}
+
 ViewTask ParseTask(const TomlTable& top) {
   const std::string name = top.Text("task");
-  for (const ViewTask task : {ViewTask::kObjectClass, ViewTask::kObjectRotation}) {
+  std::string names;
+  for (const ViewTask task : {ViewTask::kObjectClass,
+                              ViewTask::kObjectRotation,
+                              ViewTask::kNearestDemonstration,
+                              ViewTask::kGraspPlan}) {
     if (name == NameOf(task)) return task;
+    names.append(names.empty() ? "" : ", ").append(NameOf(task));
   }
-  top.Fail(top.Node("task"), "task is \"" + name + "\"", "give object-class or object-rotation");
+  top.Fail(top.Node("task"), "task is \"" + name + "\"", "give one of: " + names);
 }
 
 void ParseAssociations(const TomlTable& top, ViewStudy& study) {
@@ -122,6 +163,12 @@ void ParseClaims(const TomlTable& top, ViewStudy& study) {
     const std::string name(key.str());
     if (name == "source") {
       study.claim_source = table.Text(name);
+    } else if (name == "times") {
+      const TomlTable times = table.Table(name);
+      for (const auto& [what, time] : times.table()) {
+        const std::string figure(what.str());
+        study.claimed_ms[figure] = times.Number(figure, 0.0, 1e9);
+      }
     } else {
       study.claims[name] = table.Number(name, 0.0, 100.0);
     }
@@ -137,11 +184,12 @@ std::string TextOf(const ViewSource& source) {
   for (const synthetic::Family family : source.families) {
     families.push_back(synthetic::NameOf(family));
   }
-  return fmt::format("{} of {}, sensor {}, {} views, {} sets, seed {}",
+  return fmt::format("{} of {}, sensor {}, {} views, {}{} sets, seed {}",
                      synthetic::NameOf(source.kind),
                      fmt::join(families, " and "),
                      synthetic::NameOf(source.sensor),
                      source.num_views,
+                     source.num_poses > 0 ? fmt::format("{} poses each, ", source.num_poses) : "",
                      source.num_sets,
                      source.seed);
 }
@@ -149,7 +197,17 @@ std::string TextOf(const ViewSource& source) {
 }  // namespace
 
 std::string_view NameOf(ViewTask task) noexcept {
-  return task == ViewTask::kObjectClass ? "object-class" : "object-rotation";
+  switch (task) {
+    case ViewTask::kObjectClass:
+      return "object-class";
+    case ViewTask::kObjectRotation:
+      return "object-rotation";
+    case ViewTask::kNearestDemonstration:
+      return "nearest-demonstration";
+    case ViewTask::kGraspPlan:
+      return "grasp-plan";
+  }
+  return "";
 }
 
 bool IsViewStudy(std::string_view text, const std::string& source) {
@@ -175,9 +233,7 @@ ViewStudy ParseViewStudy(std::string_view text, const std::string& source, Study
   if (top.Has("question")) study.question = top.Text("question");
   study.task = ParseTask(top);
   const TomlTable data = top.Table("data");
-  data.AllowOnly(std::array<std::string_view, 2>{"train", "test"});
-  study.train = ParseSource(data.Table("train"), size);
-  if (data.Has("test")) study.test = ParseSource(data.Table("test"), size);
+  ParseData(data, size, study);
   ParseAssociations(top, study);
   study.settings = ParseStudySettings(top, size, Rules());
   study.methods = ParseMethods(top, size, Rules());
@@ -208,6 +264,9 @@ std::vector<std::string> CanonicalLines(const ViewStudy& study) {
                                     fmt::format("task = {}", NameOf(study.task)),
                                     fmt::format("data.train = {}", TextOf(study.train))};
   if (study.test) lines.push_back(fmt::format("data.test = {}", TextOf(*study.test)));
+  if (study.demonstrations) {
+    lines.push_back(fmt::format("data.demonstrations = {}", TextOf(*study.demonstrations)));
+  }
   for (const auto& [name, right] : study.associations) {
     lines.push_back(fmt::format("association.{} = {}", name, fmt::join(right, ", ")));
   }

@@ -22,6 +22,12 @@ namespace handcraft::experiments {
 enum class ViewTask : std::uint8_t {
   kObjectClass,     ///< which object it shows (dissertation, section 4.3.1)
   kObjectRotation,  ///< how the object, whose class is known, is turned (section 4.3.2)
+  /// How the hand is held, of a known object and angle: one demonstration from the others
+  /// (section 4.2.4). `train` is a demonstration set.
+  kNearestDemonstration,
+  /// From picture and cloud to joint values, and how long each layer takes (Table 4.5). Needs
+  /// `demonstrations`.
+  kGraspPlan,
 };
 [[nodiscard]] std::string_view NameOf(ViewTask task) noexcept;
 
@@ -33,7 +39,9 @@ struct ViewSource {
   std::vector<synthetic::Family> families = {};
   synthetic::ViewSetKind kind = synthetic::ViewSetKind::kTurntable;
   synthetic::CloudSensor sensor = synthetic::CloudSensor::kStereo;
-  int num_views = 36;      ///< of each object
+  int num_views = 36;  ///< of each object
+  /// Poses shown for each view, which make it a demonstration set of one family; 0: views alone.
+  int num_poses = 0;
   int num_sets = 1;        ///< each with other objects, whose classes are counted apart
   std::uint64_t seed = 1;  ///< of the first set; the next has the next
 };
@@ -47,14 +55,16 @@ struct ViewStudy {
   ViewSource train;
   /// None: each view of `train` in turn is left out and asked about.
   std::optional<ViewSource> test = {};
+  std::optional<ViewSource> demonstrations = {};  ///< demonstration set, of kGraspPlan
   /// Of a class of `test` the classes of `train` that are right for it; one that is not named is
   /// right as itself.
   std::map<std::string, std::vector<std::string>> associations = {};
   std::vector<Setting> settings = {};  ///< of all cells, before their own
   std::vector<Method> methods = {};    ///< at least one
   std::vector<Factor> factors = {};
-  std::string claim_source = {};         ///< "Table 4.2"
-  std::map<std::string, double> claims;  ///< percent right that a publication has, by group
+  std::string claim_source = {};              ///< "Table 4.2"
+  std::map<std::string, double> claims = {};  ///< percent right that a publication has, by group
+  std::map<std::string, double> claimed_ms = {};  ///< and times, by the names of ours
 };
 
 /// Whether a study file is one of views: it has the key `task`.

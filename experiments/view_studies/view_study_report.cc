@@ -12,6 +12,8 @@
 #include "experiments/evaluation/report_table.h"
 #include "experiments/runner/figure_files.h"
 #include "experiments/view_studies/answer_table.h"
+#include "experiments/view_studies/error_report.h"
+#include "lib/core/fields.h"
 #include "lib/core/file.h"
 
 namespace handcraft::experiments {
@@ -86,13 +88,19 @@ std::vector<std::string> Verdicts(const ViewStudyRun& run) {
 
 ReportTable TimesTable(const ViewStudyRun& run) {
   ReportTable table{.head = {"cell"}};
-  for (const TimeFigure& time : run.results.front().times) table.head.push_back(time.name);
+  std::vector<std::string> published = {run.study.claim_source};
+  for (const TimeFigure& time : run.results.front().times) {
+    table.head.push_back(time.name);
+    const auto found = run.study.claimed_ms.find(time.name);
+    published.push_back(found == run.study.claimed_ms.end() ? "–" : NumberToText(found->second));
+  }
   for (const ViewCellResult& result : run.results) {
     std::vector<std::string> row = {result.id};
     for (const TimeFigure& time : result.times) row.push_back(DecimalText(time.value, 4));
     row.resize(table.head.size());
     table.rows.push_back(std::move(row));
   }
+  if (!run.study.claimed_ms.empty()) table.rows.push_back(std::move(published));
   return table;
 }
 
@@ -107,6 +115,22 @@ BarFigure SharesFigure(const ViewStudyRun& run) {
         bar = {100.0 * group->share.value, 100.0 * group->share.low, 100.0 * group->share.high};
       }
       series.bars.push_back(bar);
+    }
+    figure.series.push_back(std::move(series));
+  }
+  return figure;
+}
+
+// The times that a publication has too, but for their sum: a group each.
+BarFigure TimesFigure(const ViewStudyRun& run) {
+  BarFigure figure{.title = run.study.title, .y_label = "time [ms]", .groups = {}, .series = {}};
+  for (const ViewCellResult& result : run.results) {
+    BarFigure::Series series{.name = result.id, .bars = {}};
+    figure.groups.clear();
+    for (const TimeFigure& time : result.times) {
+      if (!run.study.claimed_ms.contains(time.name) || time.name == "all_ms") continue;
+      figure.groups.push_back(time.name);
+      series.bars.push_back({time.value, time.value, time.value});
     }
     figure.series.push_back(std::move(series));
   }
@@ -174,13 +198,18 @@ std::string InputsText(const ViewStudyRun& run) {
                             EscapeHtml(datasets::Fingerprint(run.train)));
 }
 
+std::string ErrorsSection(const ViewStudyRun& run) {
+  const ReportTable errors = ErrorsTable(run);
+  return errors.rows.empty() ? "" : "## Errors of the answers kept\n\n" + MarkdownText(errors);
+}
+
 std::string SummaryText(const ViewStudyRun& run) {
   std::string text = fmt::format("# {}\n\n", run.study.title);
   if (!run.study.question.empty()) text += run.study.question + "\n\n";
   for (const std::string& verdict : Verdicts(run)) text += "- " + verdict + "\n";
   text += "\n## Right answers\n\nWith 95 % intervals (Wilson).\n\n" +
-          MarkdownText(SharesTable(run)) + "## Times\n\n" + MarkdownText(TimesTable(run)) +
-          "## Inputs\n\n";
+          MarkdownText(SharesTable(run)) + ErrorsSection(run) + "## Times\n\n" +
+          MarkdownText(TimesTable(run)) + "## Inputs\n\n";
   for (const std::string& line : CanonicalLines(run.study)) text += "- " + line + "\n";
   return text + "- views: " + datasets::Fingerprint(run.train) + "\n";
 }
@@ -192,12 +221,16 @@ GnuplotReport WriteViewStudyReport(const fs::path& out, const ViewStudyRun& run)
   if (run.study.task == ViewTask::kObjectRotation) {
     figures.push_back({"rotation_histogram", HistogramFigure(run)});
   }
+  if (!run.study.claimed_ms.empty()) figures.push_back({"layer_times", TimesFigure(run)});
+  for (NamedFigure& figure : ErrorFigures(run)) figures.push_back(std::move(figure));
+  const ReportTable errors = ErrorsTable(run);
   FigureFiles files = WriteFigures(out / "figures", figures);
   WriteFileAtomically(out / "summary.md", SummaryText(run));
   WriteFileAtomically(
       out / "report.html",
       MakeHtmlPage(run.study.title,
                    HeaderText(run) + "<h2>Right answers</h2>\n" + HtmlText(SharesTable(run)) +
+                       (errors.rows.empty() ? "" : "<h2>Errors</h2>\n" + HtmlText(errors)) +
                        FigureCards(files.figures) + AnswersText(run) + "<h2>Times</h2>\n" +
                        HtmlText(TimesTable(run)) + InputsText(run)));
   return std::move(files.gnuplot);

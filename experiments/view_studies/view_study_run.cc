@@ -3,12 +3,19 @@
 
 #include "experiments/view_studies/view_study_run.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "datasets/formats/demonstration_set.h"
 #include "experiments/evaluation/report_table.h"
+#include "experiments/grasp_planning/grasp_library_input.h"
 #include "experiments/runner/pinned_inputs.h"
 #include "experiments/view_studies/class_cell.h"
+#include "experiments/view_studies/demonstration_cell.h"
+#include "experiments/view_studies/error_report.h"
+#include "experiments/view_studies/plan_cell.h"
 #include "experiments/view_studies/rotation_cell.h"
 #include "experiments/view_studies/view_data.h"
 #include "lib/core/fields.h"
@@ -67,18 +74,47 @@ std::string TimesCsv(const std::vector<ViewCellResult>& results) {
 }
 
 std::vector<ViewCellResult> WorkOutCells(const ViewStudyRun& run,
+                                         const fs::path& demonstrations,
                                          const ViewStudyRunOptions& options) {
   const datasets::ViewSet* const test = run.test ? &*run.test : nullptr;
+  grasp_library::TrainingSet shown;
+  if (!demonstrations.empty()) {
+    shown = DescribeInput(
+        ReadGraspLibraryInput(run.train, demonstrations), options.num_threads, options.progress);
+  }
+  const auto work_out = [&](const ViewCell& cell) {
+    switch (run.study.task) {
+      case ViewTask::kObjectClass:
+        return TellClasses(run.study, cell, run.train, test, options.num_threads, options.progress);
+      case ViewTask::kObjectRotation:
+        return FindRotations(cell, run.train, test, options.num_threads);
+      case ViewTask::kNearestDemonstration:
+        return FindHeldOut(cell, shown, options.num_threads);
+      case ViewTask::kGraspPlan:
+        return PlanGrasps(
+            cell, run.train, shown, options.out / "models" / cell.id, options.progress);
+    }
+    return ViewCellResult{};
+  };
   std::vector<ViewCellResult> results;
   for (const ViewCell& cell : run.cells) {
     Report(options.progress, "cells", results.size(), run.cells.size());
-    results.push_back(
-        run.study.task == ViewTask::kObjectClass
-            ? TellClasses(run.study, cell, run.train, test, options.num_threads, options.progress)
-            : FindRotations(cell, run.train, test, options.num_threads));
+    results.push_back(work_out(cell));
   }
   Report(options.progress, "cells", run.cells.size(), run.cells.size());
   return results;
+}
+
+// The folder of the demonstration set, which is made where it is not there; empty: none is asked
+// for.
+fs::path DemonstrationsOf(const ViewStudyRun& run, const ViewStudyRunOptions& options) {
+  if (run.study.task == ViewTask::kNearestDemonstration) return run.train.root;
+  if (!run.study.demonstrations) return {};
+  return ProvideViews(*run.study.demonstrations,
+                      options.out / "demonstrations",
+                      options.num_threads,
+                      options.progress)
+      .root;
 }
 
 }  // namespace
@@ -92,15 +128,24 @@ ViewStudyRun RunViewStudy(const ViewStudy& study, const ViewStudyRunOptions& opt
   run.train =
       ProvideViews(study.train, options.out / "train", options.num_threads, options.progress);
   inputs.Pin("data.train", datasets::Fingerprint(run.train) + "\n");
+  const fs::path demonstrations = DemonstrationsOf(run, options);
+  if (!demonstrations.empty()) {
+    const datasets::DemonstrationSet shown = datasets::ReadDemonstrationSet(demonstrations);
+    inputs.Pin("data.demonstrations", datasets::Fingerprint(shown) + "\n");
+  }
   if (study.test) {
     run.test =
         ProvideViews(*study.test, options.out / "test", options.num_threads, options.progress);
     inputs.Pin("data.test", datasets::Fingerprint(*run.test) + "\n");
   }
-  run.results = WorkOutCells(run, options);
+  run.results = WorkOutCells(run, demonstrations, options);
   WriteFileAtomically(options.out / "results.csv", ResultsCsv(run.results));
   WriteFileAtomically(options.out / "answers.csv", AnswersCsv(run.results));
   WriteFileAtomically(options.out / "times.csv", TimesCsv(run.results));
+  for (const auto& [name, table] : {std::pair{"errors.csv", AllErrors(run.results)},
+                                    std::pair{"rejection.csv", AllRejectionPoints(run.results)}}) {
+    if (!table.rows.empty()) WriteFileAtomically(options.out / name, CsvText(table));
+  }
   return run;
 }
 

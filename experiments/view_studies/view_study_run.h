@@ -30,10 +30,11 @@ struct ViewStudyRun {
 };
 
 /// Makes or reads the views, works out every cell and writes results.csv (a row a cell and group),
-/// answers.csv (a row a cell, truth and answer that occurs) and times.csv. Views that an earlier
-/// run has made are gone on with; cells take seconds and are always worked out. OUT/inputs pins
-/// study, data and version: a run with another of them is refused, by name. Same study and data,
-/// same bytes but for the times, for any number of threads. Throws Error.
+/// answers.csv (a row a cell, truth and answer that occurs) and times.csv; where there are such
+/// figures also errors.csv (a row a cell and group) and rejection.csv (a row a cell and point).
+/// Views that an earlier run has made are gone on with; cells take seconds and are always worked
+/// out. OUT/inputs pins study, data and version: a run with another of them is refused, by name.
+/// Same study and data, same bytes but for the times, for any number of threads. Throws Error.
 [[nodiscard]] ViewStudyRun RunViewStudy(const ViewStudy& study, const ViewStudyRunOptions& options);
 
 }  // namespace handcraft::experiments

@@ -65,10 +65,11 @@ Vector3 TurnedAboutZ(const Vector3& p, double angle_rad) noexcept {
   return {c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
 }
 
-FoundGrasp FindGraspAt(const ShownClass& shown,
-                       double object_angle_rad,
-                       const Vector3& mean_m,
-                       const GraspRequest& request) noexcept {
+std::size_t RankGraspsAt(const ShownClass& shown,
+                         double object_angle_rad,
+                         const Vector3& mean_m,
+                         const GraspRequest& request,
+                         std::span<FoundGrasp> grasps) noexcept {
   const std::size_t angle = NearestShownAngle(shown, object_angle_rad);
   const double turn_rad = TurnBetween(object_angle_rad, shown.shown_angles_rad[angle]);
   const Vector3 p_p = TurnedAboutZ({request.point_m[0] - mean_m[0],
@@ -79,19 +80,34 @@ FoundGrasp FindGraspAt(const ShownClass& shown,
   const auto count = static_cast<std::size_t>(shown.begins[angle + 1]) - first;
   const PositionTree tree{.rows = shown.positions_m.subspan(3 * first, 3 * count),
                           .numbers = shown.numbers.subspan(first, count)};
-  std::array<Neighbour, kMaxGraspNeighbours> places;
-  const std::size_t num_found =
-      FindNearest(tree, p_p, std::span(places).first(request.num_neighbours));
-  const std::span<const Neighbour> neighbours = std::span(places).first(num_found);
-  const MeanPose mean = MeanOf(shown, first, neighbours);
-  const Vector3 back = TurnedAboutZ(mean.position_m, -turn_rad);
-  return {.view = 0,
-          .object_angle_rad = object_angle_rad,
-          .turn_rad = turn_rad,
-          .position_m = {back[0] + mean_m[0], back[1] + mean_m[1], back[2] + mean_m[2]},
-          .rotation = Product(TurnAboutZ(-turn_rad), mean.rotation),  // Eq. 4.7
-          .distance_m = std::sqrt(neighbours[0].squared_distance_m2),
-          .number = neighbours[0].number};
+  std::array<Neighbour, kMaxRankedGrasps + kMaxGraspNeighbours - 1> places;
+  const std::size_t num_wanted = std::min(grasps.size(), kMaxRankedGrasps);
+  const std::span<const Neighbour> found(
+      places.data(),
+      FindNearest(tree, p_p, std::span(places).first(num_wanted + request.num_neighbours - 1)));
+  const std::size_t num_grasps = std::min(num_wanted, found.size());
+  for (std::size_t i = 0; i < num_grasps; ++i) {
+    const MeanPose mean =
+        MeanOf(shown, first, found.subspan(i, std::min(request.num_neighbours, found.size() - i)));
+    const Vector3 back = TurnedAboutZ(mean.position_m, -turn_rad);
+    grasps[i] = {.view = 0,
+                 .object_angle_rad = object_angle_rad,
+                 .turn_rad = turn_rad,
+                 .position_m = {back[0] + mean_m[0], back[1] + mean_m[1], back[2] + mean_m[2]},
+                 .rotation = Product(TurnAboutZ(-turn_rad), mean.rotation),  // Eq. 4.7
+                 .distance_m = std::sqrt(found[i].squared_distance_m2),
+                 .number = found[i].number};
+  }
+  return num_grasps;
+}
+
+FoundGrasp FindGraspAt(const ShownClass& shown,
+                       double object_angle_rad,
+                       const Vector3& mean_m,
+                       const GraspRequest& request) noexcept {
+  FoundGrasp found;
+  static_cast<void>(RankGraspsAt(shown, object_angle_rad, mean_m, request, {&found, 1}));
+  return found;
 }
 
 FoundGrasp FindGrasp(const ShownClass& shown,

@@ -64,6 +64,20 @@ struct FoundGrasp {
                                      const Vector3& mean_m,
                                      const GraspRequest& request) noexcept;
 
+/// The most grasps that are ranked.
+inline constexpr std::size_t kMaxRankedGrasps = 64;
+
+/// As FindGraspAt for the nearest position, the next nearest and so on, for an arm that does not
+/// reach the first: grasp i passes over the i nearest ones and means the request's neighbours from
+/// there, as many as are left. Returns how many there are: at most kMaxRankedGrasps and what
+/// `grasps` holds, which is one or more. Grasp 0 is that of FindGraspAt. Does not allocate;
+/// thread-safe.
+std::size_t RankGraspsAt(const ShownClass& shown,
+                         double object_angle_rad,
+                         const Vector3& mean_m,
+                         const GraspRequest& request,
+                         std::span<FoundGrasp> grasps) noexcept;
+
 /// The smallest turn from one angle to another, in [−π, π] [rad].
 [[nodiscard]] double TurnBetween(double from_rad, double to_rad) noexcept;
 

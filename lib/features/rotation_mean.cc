@@ -39,6 +39,11 @@ Quaternion Product(const Quaternion& a, const Quaternion& b) noexcept {
                                aw * bw - ax * bx - ay * by - az * bz});
 }
 
+double AngleBetween(const Quaternion& a, const Quaternion& b) noexcept {
+  const Quaternion turn = Product({-a[0], -a[1], -a[2], a[3]}, b);
+  return 2.0 * std::atan2(std::hypot(turn[0], turn[1], turn[2]), turn[3]);
+}
+
 Quaternion TurnAboutZ(double angle_rad) noexcept {
   return {0.0, 0.0, std::sin(0.5 * angle_rad), std::cos(0.5 * angle_rad)};
 }

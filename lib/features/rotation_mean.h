@@ -21,6 +21,10 @@ using Quaternion = std::array<double, 4>;  ///< x, y, z, w as in ROS messages, o
 /// The rotation b, then a; with a real part that is not negative.
 [[nodiscard]] Quaternion Product(const Quaternion& a, const Quaternion& b) noexcept;
 
+/// The angle of the turn from one rotation to the other, in [0, π] [rad]; exact to rounding near 0
+/// and π.
+[[nodiscard]] double AngleBetween(const Quaternion& a, const Quaternion& b) noexcept;
+
 /// The turn by an angle [rad] about z.
 [[nodiscard]] Quaternion TurnAboutZ(double angle_rad) noexcept;
 

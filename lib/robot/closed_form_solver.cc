@@ -193,21 +193,22 @@ void ClosedFormSolver::TakeSorted(std::size_t count, InverseKinematicsResult& re
 void ClosedFormSolver::SolveSound(const Pose& base_from_tip,
                                   std::span<const double> reference,
                                   InverseKinematicsResult& result) const {
-  Sweep(GoalOf(base_from_tip), samples_, reference, Limits::kKept, result);
-  if (!result.IsSolved()) Rescue(base_from_tip, reference, result);
-  if (!result.IsSolved()) return;
-  const std::span<const double> first = result.Solution(0);
-  result.best.joints.assign(first.begin(), first.end());
-  result.best.error = ErrorBetween(ForwardKinematics(chain(), first), base_from_tip);
+  FindSound(base_from_tip, reference, result);
+  if (result.IsSolved()) return;
+  Approach(base_from_tip, WithinReach(GoalOf(base_from_tip)), reference, result);
+  TakeFirstAsBest(base_from_tip, result);
 }
 
-void ClosedFormSolver::Rescue(const Pose& base_from_tip,
-                              std::span<const double> reference,
-                              InverseKinematicsResult& result) const {
+void ClosedFormSolver::FindSound(const Pose& base_from_tip,
+                                 std::span<const double> reference,
+                                 InverseKinematicsResult& result) const {
   const Goal goal = GoalOf(base_from_tip);
-  Sweep(goal, FineSamples(goal), reference, Limits::kKept, result);
-  KeepExact(base_from_tip, reference, result);
-  if (!result.IsSolved()) Approach(base_from_tip, WithinReach(goal), reference, result);
+  Sweep(goal, samples_, reference, Limits::kKept, result);
+  if (!result.IsSolved()) {
+    Sweep(goal, FineSamples(goal), reference, Limits::kKept, result);
+    KeepExact(base_from_tip, reference, result);
+  }
+  TakeFirstAsBest(base_from_tip, result);
 }
 
 ClosedFormSolver::Samples ClosedFormSolver::FineSamples(const Goal& goal) const {

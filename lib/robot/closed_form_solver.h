@@ -43,6 +43,9 @@ class ClosedFormSolver : public InverseKinematics {
   void SolveSound(const Pose& base_from_tip,
                   std::span<const double> reference,
                   InverseKinematicsResult& result) const override;
+  void FindSound(const Pose& base_from_tip,
+                 std::span<const double> reference,
+                 InverseKinematicsResult& result) const override;
 
  private:
   // Values of joint 3 with their cosines and sines, and numbers that a vector may touch after them.
@@ -73,9 +76,6 @@ class ClosedFormSolver : public InverseKinematics {
              Limits limits,
              InverseKinematicsResult& result) const;
   static void TakeSorted(std::size_t count, InverseKinematicsResult& result);
-  void Rescue(const Pose& base_from_tip,
-              std::span<const double> reference,
-              InverseKinematicsResult& result) const;
   [[nodiscard]] Samples FineSamples(const Goal& goal) const;
   void KeepExact(const Pose& base_from_tip,
                  std::span<const double> reference,

@@ -41,18 +41,48 @@ InverseKinematics::InverseKinematics(SerialChain chain, const InverseKinematicsO
   options_.Validate();
 }
 
-void InverseKinematics::Solve(const Pose& base_from_tip,
-                              std::span<const double> reference,
-                              InverseKinematicsResult& result) const {
+Pose InverseKinematics::Prepare(const Pose& base_from_tip,
+                                std::span<const double> reference,
+                                InverseKinematicsResult& result) const {
   if (const std::string fault = FaultOf(base_from_tip); !fault.empty()) {
     throw Error({.reason = fault, .remedy = "give a finite position and a rotation"});
   }
   if (!reference.empty()) chain_.RequireWithinLimits(reference);
   result.joints.clear();
   result.costs.clear();
-  SolveSound({Orthonormalised(base_from_tip.rotation), base_from_tip.translation_m},
-             reference.empty() ? std::span<const double>(middle_) : reference,
-             result);
+  return {Orthonormalised(base_from_tip.rotation), base_from_tip.translation_m};
+}
+
+std::span<const double> InverseKinematics::OrMiddle(
+    std::span<const double> reference) const noexcept {
+  return reference.empty() ? std::span<const double>(middle_) : reference;
+}
+
+void InverseKinematics::Solve(const Pose& base_from_tip,
+                              std::span<const double> reference,
+                              InverseKinematicsResult& result) const {
+  SolveSound(Prepare(base_from_tip, reference, result), OrMiddle(reference), result);
+}
+
+void InverseKinematics::FindSolutions(const Pose& base_from_tip,
+                                      std::span<const double> reference,
+                                      InverseKinematicsResult& result) const {
+  FindSound(Prepare(base_from_tip, reference, result), OrMiddle(reference), result);
+  if (!result.IsSolved()) result.best = {};
+}
+
+void InverseKinematics::FindSound(const Pose& base_from_tip,
+                                  std::span<const double> reference,
+                                  InverseKinematicsResult& result) const {
+  SolveSound(base_from_tip, reference, result);
+}
+
+void InverseKinematics::TakeFirstAsBest(const Pose& base_from_tip,
+                                        InverseKinematicsResult& result) const {
+  if (!result.IsSolved()) return;
+  const std::span<const double> first = result.Solution(0);
+  result.best.joints.assign(first.begin(), first.end());
+  result.best.error = ErrorBetween(ForwardKinematics(chain_, first), base_from_tip);
 }
 
 double InverseKinematics::Cost(std::span<const double> joints,

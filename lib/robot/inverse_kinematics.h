@@ -88,6 +88,13 @@ class InverseKinematics {
              std::span<const double> reference,
              InverseKinematicsResult& result) const;
 
+  /// Solve for one of several poses that would do: the nearest attempt, which takes hundreds of
+  /// times as long, is not looked for, nor are the rare solutions that only its search finds.
+  /// Without a solution `best` has no joints.
+  void FindSolutions(const Pose& base_from_tip,
+                     std::span<const double> reference,
+                     InverseKinematicsResult& result) const;
+
   [[nodiscard]] virtual std::string_view Method() const noexcept = 0;
   [[nodiscard]] const SerialChain& chain() const noexcept { return chain_; }
   [[nodiscard]] const InverseKinematicsOptions& options() const noexcept { return options_; }
@@ -99,6 +106,12 @@ class InverseKinematics {
   virtual void SolveSound(const Pose& base_from_tip,
                           std::span<const double> reference,
                           InverseKinematicsResult& result) const = 0;
+  /// The same without the nearest attempt: best is empty when joints are. By default SolveSound.
+  virtual void FindSound(const Pose& base_from_tip,
+                         std::span<const double> reference,
+                         InverseKinematicsResult& result) const;
+  /// best is the first solution, if there is one.
+  void TakeFirstAsBest(const Pose& base_from_tip, InverseKinematicsResult& result) const;
 
   [[nodiscard]] double Cost(std::span<const double> joints,
                             std::span<const double> reference) const noexcept;
@@ -111,6 +124,12 @@ class InverseKinematics {
   static void SortSolutions(InverseKinematicsResult& result);
 
  private:
+  // Throws as Solve does, else empties the result and returns the pose with a sound rotation.
+  [[nodiscard]] Pose Prepare(const Pose& base_from_tip,
+                             std::span<const double> reference,
+                             InverseKinematicsResult& result) const;
+  [[nodiscard]] std::span<const double> OrMiddle(std::span<const double> reference) const noexcept;
+
   SerialChain chain_;
   InverseKinematicsOptions options_;
   std::vector<double> middle_;

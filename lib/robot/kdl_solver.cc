@@ -132,10 +132,7 @@ void KdlSolver::SolveSound(const Pose& base_from_tip,
     }
   }
   SortSolutions(result);
-  if (!result.IsSolved()) return;
-  const std::span<const double> first = result.Solution(0);
-  result.best.joints.assign(first.begin(), first.end());
-  result.best.error = ErrorBetween(ForwardKinematics(chain(), first), base_from_tip);
+  TakeFirstAsBest(base_from_tip, result);
 }
 
 }  // namespace handcraft::robot

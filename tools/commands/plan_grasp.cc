@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -49,6 +50,8 @@ struct PlanGraspOptions {
   std::vector<double> grasp_pixel;
   std::string robot;
   int num_neighbours = 0;
+  int max_attempts = 0;
+  std::optional<double> max_attempt_distance_m = {};
   std::string out;
   bool json = false;
 };
@@ -64,6 +67,10 @@ GraspPlanOptions Merge(const PlanGraspOptions& given) {
   if (!given.library.empty()) options.grasp_library = given.library;
   if (!given.robot.empty()) options.robot = given.robot;
   if (given.num_neighbours > 0) options.num_neighbours = given.num_neighbours;
+  if (given.max_attempts > 0) options.max_attempts = given.max_attempts;
+  if (given.max_attempt_distance_m) {
+    options.max_attempt_distance_m = *given.max_attempt_distance_m;
+  }
   if (!given.grasp_points.empty() || !given.grasp_pixel.empty()) {
     options.grasp_point_model = given.grasp_points;
     options.grasp_pixel.reset();
@@ -106,6 +113,8 @@ Json PlanJson(const GraspPlan& plan, const GraspPlanner& planner) {
       {"view", plan.grasp.view},
       {"demonstration", plan.grasp.number},
       {"distance_m", plan.grasp.distance_m},
+      {"rank", plan.rank},
+      {"num_attempts", plan.num_attempts},
       {"rejected", plan.IsRejected()},
       {"base_from_grasp_centre", ToJson(plan.base_from_grasp)},
       {"base_from_tip", ToJson(plan.base_from_tip)},
@@ -118,6 +127,10 @@ Json PlanJson(const GraspPlan& plan, const GraspPlanner& planner) {
       {"stages", StagesJson(plan)}};
   if (plan.probability) json["grasp_point"]["probability"] = *plan.probability;
   return json;
+}
+
+std::string RankText(std::size_t rank) {
+  return rank == 0 ? "nearest" : fmt::format("{} nearer out of reach, next nearest", rank);
 }
 
 std::string PlanText(const GraspPlan& plan, const GraspPlanner& planner) {
@@ -136,11 +149,12 @@ std::string PlanText(const GraspPlan& plan, const GraspPlanner& planner) {
   }
   return fmt::format(
              "{} turned by {:.0f} degrees, to be grasped at pixel {},{}\n"
-             "nearest demonstration {}, {:.1f} mm away, shown {:.0f} degrees further\n\n",
+             "{} demonstration {}, {:.1f} mm away, shown {:.0f} degrees further\n\n",
              plan.object_class,
              plan.grasp.object_angle_rad / kDegree,
              plan.u_px,
              plan.v_px,
+             RankText(plan.rank),
              plan.grasp.number,
              1000.0 * plan.grasp.distance_m,
              plan.grasp.turn_rad / kDegree) +
@@ -173,11 +187,14 @@ void RequireUsable(const GraspPlan& plan) {
   }
   if (plan.kinematics.IsSolved()) return;
   throw Error({.kind = Error::Kind::kNoResult,
-               .reason = fmt::format("no joint values within the limits reach the grasp; the best "
-                                     "attempt is off by {:.4g} m and {:.4g} rad",
+               .reason = fmt::format("no joint values within the limits reach the {} nearest "
+                                     "demonstrated grasps; the best attempt is off by {:.4g} m "
+                                     "and {:.4g} rad",
+                                     plan.num_attempts,
                                      plan.kinematics.best.error.position_m,
                                      plan.kinematics.best.error.rotation_rad),
-               .remedy = "grasp elsewhere, or look at the place of the arm and the hand's frame"});
+               .remedy = "grasp elsewhere, give more --attempts, or look at the place of the arm "
+                         "and the hand's frame"});
 }
 
 void RunPlanGrasp(const PlanGraspOptions& options, const Console& console) {
@@ -216,6 +233,17 @@ void AddPlanGrasp(CLI::App& parent, const Console& console) {
             options->num_neighbours,
             IntegerWithin(1, 32),
             "Demonstrations to average [1]");
+  AddNumber(*command,
+            "--attempts",
+            options->max_attempts,
+            IntegerWithin(1, 64),
+            "Demonstrations to try, nearest first, until the arm reaches one [16]");
+  command
+      ->add_option("--attempt-distance-m",
+                   options->max_attempt_distance_m,
+                   "Try none after the first that is farther from the grasp point; 0: any [0]")
+      ->transform(AnyNumber<double>())
+      ->type_name("NUMBER");
   command->add_option("--out", options->out, "Folder for plan.json and overlay.png");
   AddJsonFlag(*command, options->json);
   SetExample(*command,

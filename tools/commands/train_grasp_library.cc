@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "experiments/grasp_planning/grasp_library_input.h"
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
 #include "lib/core/sha256.h"
@@ -17,7 +18,6 @@
 #include "lib/robot/robot_file.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
-#include "tools/grasp_library_input.h"
 #include "tools/number_option.h"
 #include "tools/progress_bar.h"
 #include "tools/rotation_options.h"
@@ -26,6 +26,7 @@
 namespace handcraft::tools {
 namespace {
 
+using experiments::GraspLibraryInput;
 using Json = nlohmann::ordered_json;
 
 struct TrainGraspLibraryOptions {
@@ -136,13 +137,14 @@ void PrintResult(const TrainGraspLibraryOptions& options,
 
 void RunTrainGraspLibrary(const TrainGraspLibraryOptions& options, const Console& console) {
   RequireWritable(options.out);
-  const GraspLibraryInput input = ReadGraspLibraryInput(options.views, options.demonstrations);
+  const GraspLibraryInput input = experiments::ReadGraspLibraryInput(
+      datasets::ReadViewSet(options.views), options.demonstrations);
   RequireNotAnInput(options.out, FilesOf(input.views));
   RequireNotAnInput(options.out, FilesOf(input.shown_views));
   grasp_library::TrainingSet set;
   {
     ProgressBar bar(console);
-    set = DescribeInput(input, options.num_threads, bar.Callback());
+    set = experiments::DescribeInput(input, options.num_threads, bar.Callback());
   }
   const grasp_library::Options trainer = TrainerOptions(options);
   const features::GraspLibrary library = grasp_library::TrainGraspLibrary(set, trainer);

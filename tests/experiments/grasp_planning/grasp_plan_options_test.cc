@@ -3,6 +3,8 @@
 
 #include "experiments/grasp_planning/grasp_plan_options.h"
 
+#include <limits>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -37,6 +39,8 @@ name = "mug"
 model = "library.safetensors"
 neighbours = 3
 position = "demonstration"
+attempts = 5
+attempt_distance_m = 0.03
 [robot]
 file = "/robots/arm.toml"
 any_arm = true
@@ -50,6 +54,8 @@ grasp_centre_xyzw = [0, 0, 1, 0]
   EXPECT_EQ(options.grasp_library, folder_ / "library.safetensors");
   EXPECT_EQ(options.num_neighbours, 3);
   EXPECT_EQ(options.position, GraspPosition::kDemonstration);
+  EXPECT_EQ(options.max_attempts, 5);
+  EXPECT_EQ(options.max_attempt_distance_m, 0.03);
   EXPECT_EQ(options.robot, "/robots/arm.toml");
   EXPECT_TRUE(options.any_arm);
   EXPECT_EQ(options.reference_joints, (std::vector<double>{0.0, 1.0, -0.5}));
@@ -92,6 +98,8 @@ TEST_F(GraspPlanFile, TellsFileAndLineOfFaults) {
                         HasSubstr("must be \"grasp_point\" or \"demonstration\""));
   EXPECT_THROWS_MESSAGE(
       Read("[grasp_library]\nneighbours = 33\n"), Error, HasSubstr("a number from 1 to 32"));
+  EXPECT_THROWS_MESSAGE(
+      Read("[grasp_library]\nattempts = 65\n"), Error, HasSubstr("a number from 1 to 64"));
 }
 
 GraspPlanOptions Whole() {
@@ -127,6 +135,12 @@ TEST(GraspPlanOptions, RefusesContradictionsAndNoRotation) {
   options = Whole();
   options.num_neighbours = 0;
   EXPECT_THROWS_MESSAGE(options.Validate(), Error, HasSubstr("num_neighbours is 0"));
+  options = Whole();
+  options.max_attempts = 65;
+  EXPECT_THROWS_MESSAGE(options.Validate(), Error, HasSubstr("max_attempts is 65"));
+  options = Whole();
+  options.max_attempt_distance_m = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROWS_MESSAGE(options.Validate(), Error, HasSubstr("max_attempt_distance_m is nan"));
   options = Whole();
   options.grasp_centre_xyzw = {0, 0, 0, 0};
   EXPECT_THROWS_MESSAGE(options.Validate(), Error, HasSubstr("grasp_centre_xyzw is 0"));

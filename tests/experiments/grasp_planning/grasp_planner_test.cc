@@ -14,6 +14,7 @@
 #include "lib/core/file.h"
 #include "lib/model_io/grasp_library_models.h"
 #include "lib/model_io/object_class_models.h"
+#include "lib/robot/nearest_attempt.h"
 #include "tests/datasets/small_views.h"
 #include "tests/lib/runtime/some_models.h"
 #include "tests/support/expect_throws_message.h"
@@ -72,6 +73,25 @@ class GraspPlannerTest : public ::testing::Test {
     WriteFileAtomically(folder_ / "library.safetensors",
                         model_io::Serialise(model_io::MakeGraspLibraryModel(
                             OneGrasp(static_cast<int>(names.classes.size())), names, {})));
+  }
+  // Three poses, of which the arm reaches the farthest alone.
+  void WriteUpsideDownFirst(double rejection_distance_m = 0.5) const {
+    features::GraspLibrary library = OneGrasp();
+    for (auto* rows : {&library.positions_m, &library.rotations, &library.shown_angles_rad}) {
+      rows->clear();
+    }
+    library.numbers.clear();
+    library.shown_means_m.clear();
+    library.pose_begins = {0};
+    features::testing::AddShownAngle(library,
+                                     0.0,
+                                     {{0.0, 0.0, 0.30}, {0.0, 0.0, 0.05}, {0.0, 0.0, 0.06}},
+                                     {{0.0, 0.8, 0.0, 0.6}, {0, 0, 0, 1}, {0, 0, 0, 1}});
+    library.rejection_distance_m = rejection_distance_m;
+    WriteFileAtomically(
+        folder_ / "library.safetensors",
+        model_io::Serialise(model_io::MakeGraspLibraryModel(
+            library, {.classes = {"board"}, .robot = "dual_wam", .joints = RightJoints()}, {})));
   }
   [[nodiscard]] GraspPlan Plan() const { return GraspPlanner(options_).Plan(scene_); }
 
@@ -220,11 +240,52 @@ TEST_F(GraspPlannerTest, RefusesScenesThatDoNotFit) {
 }
 
 TEST_F(GraspPlannerTest, SaysHowFarAnUnreachableGraspIs) {
+  WriteUpsideDownFirst();
   const datasets::LoadedView far = datasets::testing::SmallView(0.0, 3.0, 0);
   scene_.cloud = *far.cloud;
   const GraspPlan plan = Plan();
   EXPECT_FALSE(plan.kinematics.IsSolved());
+  EXPECT_EQ(plan.num_attempts, 3U);
   EXPECT_GT(plan.kinematics.best.error.position_m, 1.0);
+  // Of all three it is the one that the arm comes nearest to.
+  GraspPlanner planner(options_);
+  robot::InverseKinematicsResult attempt;
+  robot::MakeInverseKinematics(planner.chain())->Solve(plan.base_from_tip, {}, attempt);
+  EXPECT_EQ(plan.kinematics.best.joints, attempt.best.joints);
+  options_.max_attempts = 1;
+  const GraspPlan first = Plan();
+  EXPECT_EQ(first.rank, 0U);
+  EXPECT_EQ(first.num_attempts, 1U);
+  EXPECT_GE(robot::SquaredError(first.kinematics.best.error),
+            robot::SquaredError(plan.kinematics.best.error));
+}
+
+// The nearest demonstrations come from below the table.
+TEST_F(GraspPlannerTest, TriesTheNextNearestWhereTheNearestIsOutOfReach) {
+  WriteUpsideDownFirst();
+  const GraspPlan plan = Plan();
+  ASSERT_TRUE(plan.kinematics.IsSolved());
+  EXPECT_EQ(plan.rank, 2U);
+  EXPECT_EQ(plan.num_attempts, 3U);
+  EXPECT_EQ(plan.grasp.number, 0);
+  const robot::Vector3 approach = robot::Column(plan.base_from_grasp.rotation, 2);
+  EXPECT_NEAR(approach[0], 0.96, 1e-8);
+  options_.max_attempts = 2;
+  EXPECT_FALSE(Plan().kinematics.IsSolved());
+  EXPECT_EQ(Plan().num_attempts, 2U);
+}
+
+TEST_F(GraspPlannerTest, TriesNoneThatIsTooFar) {
+  WriteUpsideDownFirst();
+  options_.max_attempt_distance_m = 0.9 * Plan().grasp.distance_m;
+  EXPECT_EQ(Plan().num_attempts, 2U);
+  EXPECT_FALSE(Plan().kinematics.IsSolved());
+  options_.max_attempt_distance_m = 1e-9;  // the first is tried however far it is
+  EXPECT_EQ(Plan().num_attempts, 1U);
+  options_.max_attempt_distance_m = 0.0;
+  WriteUpsideDownFirst(0.01);  // the library's own limit
+  EXPECT_EQ(Plan().num_attempts, 1U);
+  EXPECT_TRUE(Plan().IsRejected());
 }
 
 TEST_F(GraspPlannerTest, RefusesReferencesOutsideTheLimits) {

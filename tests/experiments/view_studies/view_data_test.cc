@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "datasets/formats/demonstration_set.h"
 #include "datasets/view_folds.h"
 #include "lib/core/error.h"
 #include "tests/experiments/view_studies/small_views.h"
@@ -43,6 +44,19 @@ TEST(ProvideViews, TakesOneSplitOfAFolder) {
   EXPECT_THROWS_MESSAGE(static_cast<void>(ProvideViews(source, folder / "made", 1, {})),
                         Error,
                         HasSubstr("views.csv: no view is of the split \"tset\""));
+}
+
+TEST(ProvideViews, MakesDemonstrationSetsWhereTheyAreAskedFor) {
+  const TemporaryDirectory folder;
+  const datasets::ViewSet set = ProvideViews({.families = {synthetic::Family::kRegrasp},
+                                              .sensor = synthetic::CloudSensor::kPerfect,
+                                              .num_views = 1,
+                                              .num_poses = 1},
+                                             folder / "made",
+                                             2,
+                                             {});
+  EXPECT_EQ(set.items.size(), 4U);
+  EXPECT_EQ(datasets::ReadDemonstrationSet(set.root).items.size(), 4U);
 }
 
 TEST(OnlyFirstClasses, KeepsTheViewsOfSo) {

@@ -38,6 +38,12 @@ TEST(ViewSettings, EveryKeyIsTaken) {
                                          {"moments", "printed"},
                                          {"candidates", "6"},
                                          {"angle_weight", "0"},
+                                         {"neighbours", "5"},
+                                         {"max_distance_m", "0.02"},
+                                         {"held_out", "view"},
+                                         {"attempts", "3"},
+                                         {"robot", "arm.toml"},
+                                         {"grasp_points", "p.safetensors"},
                                          {"num_classes", "4"}});
   EXPECT_EQ(settings.classes.descriptor.type, features::CloudDescriptorType::kPolar);
   EXPECT_EQ(settings.classes.descriptor.grid_size, 20);
@@ -57,7 +63,13 @@ TEST(ViewSettings, EveryKeyIsTaken) {
   EXPECT_EQ(settings.classes.descriptor.box, features::GridBox::kSquare);
   EXPECT_EQ(settings.classes.moved.num_copies, 4);
   EXPECT_EQ(settings.num_classes, 4U);
-  EXPECT_EQ(ViewSettingKeys().size(), 18U) << "a new key is tried here";
+  EXPECT_EQ(settings.grasps.num_neighbours, 5U);
+  EXPECT_EQ(settings.grasps.max_distance_m, 0.02);
+  EXPECT_EQ(settings.grasps.held_out, HeldOutPart::kView);
+  EXPECT_EQ(settings.grasps.max_attempts, 3);
+  EXPECT_EQ(settings.grasps.robot, "arm.toml");
+  EXPECT_EQ(settings.grasps.grasp_points, "p.safetensors");
+  EXPECT_EQ(ViewSettingKeys().size(), 24U) << "a new key is tried here";
 }
 
 TEST(ViewSettings, RefuseWhatDoesNotFit) {
@@ -71,6 +83,8 @@ TEST(ViewSettings, RefuseWhatDoesNotFit) {
       {{"standardize", "true"}, "yes or no"},
       {{"scheme", "all"}, "one-against-one or one-against-all"},
       {{"candidates", "65"}, "a number from 0 to 64"},
+      {{"neighbours", "33"}, "a number from 1 to 32"},
+      {{"held_out", "class"}, "it must be demonstration, view"},
       {{"colour", "red"}, "\"colour\" is no setting; there are: descriptor, "},
   };
   for (const auto& [setting, message] : cases) {

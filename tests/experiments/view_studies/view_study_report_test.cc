@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "lib/core/file.h"
+#include "tests/datasets/small_views.h"
 #include "tests/experiments/view_studies/small_views.h"
 #include "tests/support/temporary_directory.h"
 
@@ -35,6 +36,47 @@ TEST(WriteViewStudyReport, TellsSharesAnswersAndVerdicts) {
     EXPECT_EQ(summary.find("nowhere has 100.00 %") != std::string::npos,
               task == ViewTask::kObjectClass);
   }
+}
+
+TEST(WriteViewStudyReport, PutsPublishedTimesBesideOurs) {
+  const TemporaryDirectory folder;
+  datasets::testing::WriteSmallSet(folder / "shown", {0.0, 30.0}, 0.0);
+  const ViewStudy study{
+      .name = "plans",
+      .title = "Plans",
+      .task = ViewTask::kGraspPlan,
+      .train = {.folder = (folder / "shown").string()},
+      .demonstrations = ViewSource{.folder = (folder / "shown").string()},
+      .settings = {{"grid_size", "8"},
+                   {"outlier_step", "0"},
+                   {"robot", HANDCRAFT_SOURCE_DIR "/models/robots/dual_wam/right_arm.toml"}},
+      .methods = {{"click", {}}},
+      .claim_source = "Table 4.5",
+      .claimed_ms = {{"object_class_ms", 103.0}, {"all_ms", 346.0}}};
+  const fs::path out = folder / "out";
+  static_cast<void>(WriteViewStudyReport(out, RunViewStudy(study, {.out = out})));
+  EXPECT_THAT(ReadTextFile(out / "summary.md"),
+              HasSubstr("| Table 4.5 | – | 103 | – | – | – | 346 | – | – |"));
+  EXPECT_THAT(ReadTextFile(out / "figures/layer_times.gnuplot"), HasSubstr("object_class_ms"));
+  EXPECT_TRUE(fs::exists(out / "models/click/grasp_library.safetensors"));
+}
+
+TEST(WriteViewStudyReport, TellsErrorsOfDemonstrations) {
+  const TemporaryDirectory folder;
+  datasets::testing::WriteSmallSet(folder / "shown", {0.0, 30.0});
+  const ViewStudy study{.name = "shown",
+                        .title = "Shown",
+                        .task = ViewTask::kNearestDemonstration,
+                        .train = {.folder = (folder / "shown").string()},
+                        .methods = {{"one", {}}},
+                        .factors = {{"neighbours", {"1", "2"}}}};
+  const fs::path out = folder / "out";
+  static_cast<void>(WriteViewStudyReport(out, RunViewStudy(study, {.out = out})));
+  for (const char* figure : {"position_error", "rotation_error", "rejection"}) {
+    EXPECT_TRUE(fs::exists(out / "figures" / (std::string(figure) + ".svg"))) << figure;
+  }
+  EXPECT_THAT(ReadTextFile(out / "report.html"), HasSubstr("<h2>Errors</h2>"));
+  EXPECT_THAT(ReadTextFile(out / "summary.md"), HasSubstr("| one,neighbours=2 | 12 of 12 |"));
 }
 
 }  // namespace

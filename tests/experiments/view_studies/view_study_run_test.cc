@@ -8,6 +8,7 @@
 
 #include "lib/core/error.h"
 #include "lib/core/file.h"
+#include "tests/datasets/small_views.h"
 #include "tests/experiments/view_studies/small_views.h"
 #include "tests/support/expect_throws_message.h"
 #include "tests/support/temporary_directory.h"
@@ -34,6 +35,27 @@ TEST(RunViewStudy, SameBytesForAnyThreadsAndASecondTime) {
   for (const char* file : {"results.csv", "answers.csv"}) {
     EXPECT_EQ(ReadTextFile(folder / "one" / file), ReadTextFile(folder / "two" / file));
   }
+}
+
+TEST(RunViewStudy, LooksForDemonstrations) {
+  const TemporaryDirectory folder;
+  datasets::testing::WriteSmallSet(folder / "shown", {0.0, 30.0});
+  const ViewStudy study{.name = "shown",
+                        .title = "Shown",
+                        .task = ViewTask::kNearestDemonstration,
+                        .train = {.folder = (folder / "shown").string()},
+                        .methods = {{"one", {}}}};
+  const ViewStudyRun run = RunViewStudy(study, {.out = folder / "out"});
+  EXPECT_EQ(run.results.front().groups.back().num_views, 12U);
+  EXPECT_THAT(ReadTextFile(folder / "out/errors.csv"), HasSubstr("one,all,12,12,"));
+  EXPECT_THAT(ReadTextFile(folder / "out/rejection.csv"),
+              HasSubstr("cell,limit,num_kept,num_right\none,"));
+  datasets::DemonstrationSet shown = datasets::ReadDemonstrationSet(folder / "shown");
+  shown.items.pop_back();
+  datasets::WriteDemonstrations(shown);
+  EXPECT_THROWS_MESSAGE(static_cast<void>(RunViewStudy(study, {.out = folder / "out"})),
+                        Error,
+                        HasSubstr("data.demonstrations"));
 }
 
 TEST(RunViewStudy, RefusesOtherInputsInTheSameFolder) {

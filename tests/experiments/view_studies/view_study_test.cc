@@ -79,6 +79,41 @@ TEST(ViewStudy, CellsAreMethodsTimesFactors) {
   EXPECT_EQ(cells[0].settings.classes.descriptor.scaling, features::CloudScaling::kMetric);
 }
 
+TEST(ViewStudy, MayAskAboutDemonstrations) {
+  std::string text = Minimal("made = \"taught\"\nviews = 3\nposes = { small = 5, full = 40 }");
+  text.replace(text.find("object-class"), 12, "nearest-demonstration");
+  const ViewStudy study = Parse(text);
+  EXPECT_EQ(study.task, ViewTask::kNearestDemonstration);
+  EXPECT_EQ(study.train.num_poses, 5);
+  EXPECT_THAT(CanonicalLines(study), ::testing::Contains(HasSubstr("3 views, 5 poses each")));
+  text.replace(text.find("[[method]]"), 0, "[data.test]\nfolder = \"f\"\n");
+  EXPECT_THROWS_MESSAGE(static_cast<void>(Parse(text)),
+                        Error,
+                        HasSubstr("nearest-demonstration asks about [data.train]"));
+  text = Minimal("folder = \"f\"\nsplit = \"train\"");
+  text.replace(text.find("object-class"), 12, "nearest-demonstration");
+  EXPECT_THROWS_MESSAGE(static_cast<void>(Parse(text)),
+                        Error,
+                        HasSubstr("nearest-demonstration asks about all of a folder"));
+}
+
+TEST(ViewStudy, MayAskForPlans) {
+  std::string text = Minimal("folder = \"f\"",
+                             "[data.demonstrations]\nmade = \"taught\"\nviews = 12\nposes = 40\n"
+                             "[claim]\nsource = \"Table 4.5\"\n[claim.times]\nall_ms = 346\n");
+  EXPECT_THROWS_MESSAGE(static_cast<void>(Parse(text)), Error, HasSubstr("task grasp-plan"));
+  text.replace(text.find("object-class"), 12, "grasp-plan");
+  const ViewStudy study = Parse(text);
+  EXPECT_EQ(study.task, ViewTask::kGraspPlan);
+  ASSERT_TRUE(study.demonstrations);
+  EXPECT_EQ(study.demonstrations->num_poses, 40);
+  EXPECT_EQ(study.claimed_ms.at("all_ms"), 346.0);
+  EXPECT_THAT(CanonicalLines(study), ::testing::Contains(HasSubstr("data.demonstrations = turn")));
+  text.replace(text.find("poses = 40"), 10, "seed = 4");
+  EXPECT_THROWS_MESSAGE(
+      static_cast<void>(Parse(text)), Error, HasSubstr("made demonstrations need poses"));
+}
+
 TEST(ViewStudy, EverythingThatChangesAResultIsInItsLines) {
   const std::vector<std::string> whole = CanonicalLines(Parse(std::string(kWhole)));
   for (const auto& [from, to] : {std::pair{"seed = 5", "seed = 6"},
@@ -112,6 +147,7 @@ TEST(ViewStudy, RefusesWhatDoesNotFitWithItsLine) {
       {Minimal("made = []\nviews = 3"), "made is an empty list"},
       {Minimal("made = \"taught\"\nviews = 3\nkind = \"still\""), "kind is \"still\""},
       {Minimal("made = \"taught\"\nviews = 3\nsensor = \"nose\""), "sensor is \"nose\""},
+      {Minimal("made = \"taught\"\nviews = 3\nsets = 2\nposes = 4"), "the turntable of one family"},
       {Minimal("folder = \"f\"", "[settings]\nkernel = \"cubic\""), "kernel is \"cubic\""},
       {Minimal("folder = \"f\"", "[claim]\nall = 101"), "all must be a number from 0 to 100"},
       {Minimal("folder = \"f\"", "[association]\nbox = [1]"), "box holds something else"},

@@ -3,8 +3,10 @@
 
 #include "lib/features/grasp_search.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -133,6 +135,57 @@ TEST(FindGraspAt, ManyNeighboursAreAveragedByDistance) {
   // Of more neighbours than there are poses, all count.
   const FoundGrasp all = FindGraspAt(shown.View(), 0.0, {}, {.point_m = {}, .num_neighbours = 32});
   EXPECT_NEAR(all.position_m[0], (1.0 / 1.001) / (2.0 / 0.002 + 1.0 / 1.001), 1e-15);
+}
+
+TEST(RankGraspsAt, PassesOverNearerOnes) {
+  Shown shown;
+  shown.AddAngle(0.0,
+                 {{0.3, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}},
+                 {TurnAboutZ(0.3), TurnAboutZ(0.1), TurnAboutZ(0.2)});
+  std::vector<FoundGrasp> grasps(5);
+  ASSERT_EQ(RankGraspsAt(shown.View(), 0.0, {}, {}, grasps), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double part = 0.1 * static_cast<double>(i + 1);
+    EXPECT_NEAR(grasps[i].distance_m, part, 1e-15);
+    EXPECT_NEAR(grasps[i].position_m[0], part, 1e-15);
+    EXPECT_NEAR(grasps[i].rotation[2], TurnAboutZ(part)[2], 1e-15);
+  }
+  EXPECT_EQ(grasps[0].number, 1);
+  EXPECT_EQ(grasps[1].number, 2);
+  EXPECT_EQ(grasps[2].number, 0);
+  // Of two neighbours the last has but one left.
+  ASSERT_EQ(RankGraspsAt(shown.View(), 0.0, {}, {.num_neighbours = 2}, grasps), 3U);
+  EXPECT_NEAR(
+      grasps[1].position_m[0], (0.2 / 0.201 + 0.3 / 0.301) / (1 / 0.201 + 1 / 0.301), 1e-15);
+  EXPECT_NEAR(grasps[2].position_m[0], 0.3, 1e-15);
+}
+
+// Against sorting all distances; more are asked for than are ranked.
+TEST(RankGraspsAt, RanksAsSortingDoes) {
+  Rng rng(2);
+  std::vector<Vector3> positions;
+  for (int i = 0; i < 300; ++i) positions.push_back({rng.Normal(), rng.Normal(), rng.Normal()});
+  Shown shown;
+  shown.AddAngle(0.5, positions, std::vector(positions.size(), TurnAboutZ(0.0)));
+  const Vector3 point = {0.1, -0.2, 0.3};
+  std::vector<std::pair<double, std::int32_t>> expected;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Vector3& p = positions[i];
+    expected.emplace_back(std::hypot(p[0] - point[0], p[1] - point[1], p[2] - point[2]),
+                          static_cast<std::int32_t>(i));
+  }
+  std::sort(expected.begin(), expected.end());
+  std::vector<FoundGrasp> grasps(100);
+  ASSERT_EQ(RankGraspsAt(shown.View(), 0.5, {}, {.point_m = point, .num_neighbours = 32}, grasps),
+            kMaxRankedGrasps);
+  for (std::size_t i = 0; i < kMaxRankedGrasps; ++i) {
+    EXPECT_EQ(grasps[i].number, expected[i].second);
+    EXPECT_NEAR(grasps[i].distance_m, expected[i].first, 1e-12);
+  }
+  const FoundGrasp first =
+      FindGraspAt(shown.View(), 0.5, {}, {.point_m = point, .num_neighbours = 32});
+  EXPECT_EQ(first.position_m, grasps[0].position_m);
+  EXPECT_EQ(first.rotation, grasps[0].rotation);
 }
 
 TEST(FindGrasp, TakesTheAngleOfTheNearestView) {

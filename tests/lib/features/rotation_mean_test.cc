@@ -86,5 +86,16 @@ TEST(Product, TurnsOneAfterTheOther) {
   EXPECT_GE(Product(TurnAboutZ(0.9 * pi), TurnAboutZ(0.9 * pi))[3], 0.0);
 }
 
+TEST(AngleBetween, IsThatOfTheTurn) {
+  const double pi = std::numbers::pi;
+  for (const double angle : {0.0, 1e-9, 0.3, 3.0, pi}) {
+    EXPECT_NEAR(
+        AngleBetween(TurnAboutZ(0.2), TurnAboutZ(0.2 + angle)), angle, 1e-15 + 1e-15 * angle);
+  }
+  EXPECT_NEAR(AngleBetween(TurnAboutZ(0.0), TurnAboutZ(1.5 * pi)), 0.5 * pi, 1e-14);
+  // A half turn about x, whichever sign the quaternion has.
+  EXPECT_NEAR(AngleBetween({0, 0, 0, -1}, {1, 0, 0, 0}), pi, 1e-15);
+}
+
 }  // namespace
 }  // namespace handcraft::features

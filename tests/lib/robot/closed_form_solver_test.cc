@@ -192,6 +192,26 @@ TEST(ClosedFormSolver, SaysHowFarTheBestAttemptIs) {
   EXPECT_NEAR(again.position_m, result.best.error.position_m, 1e-12);
 }
 
+// Same solutions, but no attempt where there is none, even if the result held one.
+TEST(ClosedFormSolver, FindSolutionsLooksForNoAttempt) {
+  const SerialChain chain = testing::LeftWam();
+  const ClosedFormSolver solver(chain);
+  Rng rng(6);
+  InverseKinematicsResult solved;
+  InverseKinematicsResult found;
+  for (int i = 0; i < 50; ++i) {
+    const Pose pose = ForwardKinematics(chain, testing::DrawJoints(chain, rng));
+    solver.Solve(pose, {}, solved);
+    solver.FindSolutions(pose, {}, found);
+    ASSERT_TRUE(found.IsSolved()) << i;
+    EXPECT_EQ(found.joints, solved.joints);
+    EXPECT_EQ(found.best.joints, solved.best.joints);
+  }
+  solver.FindSolutions({kIdentity3, {3.0, 0.0, 0.0}}, {}, found);
+  EXPECT_FALSE(found.IsSolved());
+  EXPECT_TRUE(found.best.joints.empty());
+}
+
 TEST(ClosedFormSolver, AnswersPosesAtTheShoulderAndFarAway) {
   const SerialChain chain = testing::LeftWam();
   const ClosedFormSolver solver(chain);

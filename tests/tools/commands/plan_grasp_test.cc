@@ -29,17 +29,21 @@ class PlanGrasp : public ::testing::Test {
  protected:
   void SetUp() override {
     datasets::testing::WriteSmallSet(set_, {0.0, 30.0}, 0.0);
-    ASSERT_EQ(RunLine("train grasp-library --threads 1 --views " + set_.string() +
-                      " --demonstrations " + set_.string() + " --robot " + kArm +
-                      " --max-distance-m 0.2 --out " + (folder_ / "library.safetensors").string())
-                  .code,
-              0);
+    TrainLibrary("0.2");
     WriteFileAtomically(folder_ / "plan.toml",
                         "[grasp_point]\npixel = [8, 5]\n[object_class]\nname = \"board\"\n"
                         "[grasp_library]\nmodel = \"library.safetensors\"\n[robot]\nfile = \"" +
                             kArm + "\"\n");
   }
 
+  void TrainLibrary(const std::string& max_distance_m) const {
+    ASSERT_EQ(
+        RunLine("train grasp-library --threads 1 --views " + set_.string() + " --demonstrations " +
+                set_.string() + " --robot " + kArm + " --max-distance-m " + max_distance_m +
+                " --out " + (folder_ / "library.safetensors").string())
+            .code,
+        0);
+  }
   [[nodiscard]] Outcome Plan(const std::string& options) const {
     return RunLine("plan grasp --config " + (folder_ / "plan.toml").string() + " --image " +
                    (set_ / "images/board0.png").string() + " --cloud " +
@@ -71,11 +75,15 @@ TEST_F(PlanGrasp, TellsMachinesAll) {
   EXPECT_EQ(json["stages"].size(), 5U);
   EXPECT_TRUE(json["solved"].get<bool>());
   EXPECT_FALSE(json["rejected"].get<bool>());
+  EXPECT_EQ(json["rank"], 0);
+  EXPECT_EQ(json["num_attempts"], 1);
 }
 
 TEST_F(PlanGrasp, RefusesWrongUseAndUnknownClasses) {
   EXPECT_EQ(Plan("--grasp-point 7").code, 2);
   EXPECT_EQ(Plan("--neighbours 33").code, 2);
+  EXPECT_EQ(Plan("--attempts 65").code, 2);
+  EXPECT_EQ(Plan("--attempt-distance-m -1").code, 2);
   const Outcome unknown = Plan("--class teapot");
   EXPECT_EQ(unknown.code, 3);
   EXPECT_THAT(unknown.err, HasSubstr("there are: board, wedge"));
@@ -85,11 +93,7 @@ TEST_F(PlanGrasp, RefusesWrongUseAndUnknownClasses) {
 }
 
 TEST_F(PlanGrasp, RefusesAGraspThatIsFarFromEveryDemonstration) {
-  ASSERT_EQ(RunLine("train grasp-library --threads 1 --views " + set_.string() +
-                    " --demonstrations " + set_.string() + " --max-distance-m 0.0001 --out " +
-                    (folder_ / "library.safetensors").string())
-                .code,
-            0);
+  TrainLibrary("0.0001");
   const Outcome outcome = Plan("");
   EXPECT_EQ(outcome.code, 4);
   EXPECT_THAT(outcome.err, HasSubstr("the library allows 0.0001 m"));
@@ -99,10 +103,31 @@ TEST_F(PlanGrasp, SaysThatTheArmDoesNotReach) {
   datasets::OrganisedCloud cloud = datasets::ReadPcd(set_ / "clouds/board0.pcd");
   for (Eigen::Vector3f& point : cloud.points) point.x() += 4.0F;
   datasets::WritePcd(set_ / "clouds/board0.pcd", cloud);
-  const Outcome outcome = Plan("--json");
+  const Outcome outcome = Plan("--json --attempts 2");
   EXPECT_EQ(outcome.code, 4);
-  EXPECT_THAT(outcome.err, HasSubstr("the best attempt is off by"));
-  EXPECT_FALSE(nlohmann::json::parse(outcome.out)["solved"].get<bool>());
+  EXPECT_THAT(outcome.err,
+              AllOf(HasSubstr("the 2 nearest demonstrated grasps"),
+                    HasSubstr("the best attempt is off by")));
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_FALSE(json["solved"].get<bool>());
+  EXPECT_EQ(json["num_attempts"], 2);
+  EXPECT_GT(json["position_error_m"], 3.0);
+}
+
+// The pose that is nearest to pixel 8,5 is turned to come from below the table.
+TEST_F(PlanGrasp, TellsWhichDemonstrationWasTaken) {
+  const auto json = [this] { return nlohmann::json::parse(Plan("--json").out); };
+  const int nearest = json()["demonstration"];
+  datasets::DemonstrationSet shown = datasets::ReadDemonstrationSet(set_);
+  shown.items.at(static_cast<std::size_t>(nearest)).pose.rotation = Eigen::Quaterniond::Identity();
+  datasets::WriteDemonstrations(shown);
+  TrainLibrary("0.2");
+  EXPECT_EQ(json()["rank"], 1);
+  EXPECT_EQ(json()["num_attempts"], 2);
+  EXPECT_NE(json()["demonstration"], nearest);
+  EXPECT_THAT(Plan("").out, HasSubstr("1 nearer out of reach, next nearest demonstration"));
+  EXPECT_EQ(Plan("--attempts 1").code, 4);
+  EXPECT_EQ(Plan("--attempt-distance-m 0.0001").code, 4);
 }
 
 // A pinhole camera at the origin of the base frame sees a slanted plane.

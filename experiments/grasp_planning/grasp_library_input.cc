@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "tools/grasp_library_input.h"
+#include "experiments/grasp_planning/grasp_library_input.h"
 
 #include <algorithm>
 #include <map>
@@ -12,7 +12,7 @@
 #include "datasets/described_views.h"
 #include "lib/core/error.h"
 
-namespace handcraft::tools {
+namespace handcraft::experiments {
 namespace {
 
 using datasets::ObjectView;
@@ -42,18 +42,18 @@ std::size_t ClassNumber(const std::vector<std::string>& classes, const std::stri
 
 }  // namespace
 
-GraspLibraryInput ReadGraspLibraryInput(const std::string& views,
-                                        const std::string& demonstrations) {
-  GraspLibraryInput input{.views = datasets::ReadViewSet(views),
+GraspLibraryInput ReadGraspLibraryInput(ViewSet views,
+                                        const std::filesystem::path& demonstrations) {
+  GraspLibraryInput input{.views = std::move(views),
                           .shown_views = datasets::ReadViewSet(demonstrations),
                           .demonstrations = datasets::ReadDemonstrationSet(demonstrations)};
   for (const ObjectView& view : input.views.items) static_cast<void>(AngleOf(input.views, view));
   const std::vector<std::string> classes = ClassesOf(input.views);
   for (const datasets::Demonstration& shown : input.demonstrations.items) {
     if (ClassNumber(classes, shown.object_class) < classes.size()) continue;
-    throw Error({.path = demonstrations,
+    throw Error({.path = demonstrations.string(),
                  .reason = "poses are shown for class " + shown.object_class +
-                           ", which has no view in " + views,
+                           ", which has no view in " + input.views.root.string(),
                  .remedy = "give a view set of the same classes"});
   }
   return input;
@@ -91,4 +91,4 @@ grasp_library::TrainingSet DescribeInput(const GraspLibraryInput& input,
   return set;
 }
 
-}  // namespace handcraft::tools
+}  // namespace handcraft::experiments

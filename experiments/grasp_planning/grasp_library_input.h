@@ -3,14 +3,14 @@
 
 #pragma once
 
-#include <string>
+#include <filesystem>
 
 #include "datasets/formats/demonstration_set.h"
 #include "datasets/formats/view_set.h"
 #include "lib/core/progress.h"
 #include "trainers/grasp_library/grasp_library.h"
 
-namespace handcraft::tools {
+namespace handcraft::experiments {
 
 /// What a grasp library is trained on.
 struct GraspLibraryInput {
@@ -19,10 +19,11 @@ struct GraspLibraryInput {
   datasets::DemonstrationSet demonstrations;  ///< layer 3
 };
 
-/// Reads a view set, and a demonstration set with its own views. Throws Error as their readers do,
-/// and for a view without an angle and a demonstration of a class that the view set does not have.
-[[nodiscard]] GraspLibraryInput ReadGraspLibraryInput(const std::string& views,
-                                                      const std::string& demonstrations);
+/// Reads the demonstration set, with its own views, that goes with a view set. Throws Error as its
+/// readers do, and for a view without an angle and a demonstration of a class that the view set
+/// does not have.
+[[nodiscard]] GraspLibraryInput ReadGraspLibraryInput(datasets::ViewSet views,
+                                                      const std::filesystem::path& demonstrations);
 
 /// Describes both sets of views; classes in the order in which the view set names them, positions
 /// from the mean of the cloud they were shown with. The number of threads changes nothing.
@@ -30,4 +31,4 @@ struct GraspLibraryInput {
                                                        int num_threads,
                                                        const Progress& progress);
 
-}  // namespace handcraft::tools
+}  // namespace handcraft::experiments

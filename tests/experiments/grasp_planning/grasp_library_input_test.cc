@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "tools/grasp_library_input.h"
+#include "experiments/grasp_planning/grasp_library_input.h"
 
 #include <cmath>
 #include <numbers>
@@ -14,7 +14,7 @@
 #include "tests/support/expect_throws_message.h"
 #include "tests/support/temporary_directory.h"
 
-namespace handcraft::tools {
+namespace handcraft::experiments {
 namespace {
 
 using datasets::testing::WriteSmallSet;
@@ -26,7 +26,7 @@ TEST(GraspLibraryInput, DescribesViewsAndPoses) {
   WriteSmallSet(folder / "views", {0.0, 30.0, 60.0});
   WriteSmallSet(folder / "shown", {0.0, 60.0}, 0.5);
   const GraspLibraryInput input =
-      ReadGraspLibraryInput((folder / "views").string(), (folder / "shown").string());
+      ReadGraspLibraryInput(datasets::ReadViewSet(folder / "views"), folder / "shown");
   const grasp_library::TrainingSet set = DescribeInput(input, 1, {});
   EXPECT_EQ(set.classes, (std::vector<std::string>{"board", "wedge"}));
   ASSERT_EQ(set.views.size(), 6U);
@@ -46,7 +46,7 @@ TEST(GraspLibraryInput, RefusesWhatDoesNotFit) {
   WriteSmallSet(folder / "shown", {0.0});
   const auto read = [&] {
     static_cast<void>(
-        ReadGraspLibraryInput((folder / "views").string(), (folder / "shown").string()));
+        ReadGraspLibraryInput(datasets::ReadViewSet(folder / "views"), folder / "shown"));
   };
   datasets::ViewSet views = datasets::ReadViewSet(folder / "views");
   views.items.pop_back();
@@ -59,4 +59,4 @@ TEST(GraspLibraryInput, RefusesWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace handcraft::tools
+}  // namespace handcraft::experiments
