@@ -57,6 +57,10 @@ TEST(ViewSettings, EveryKeyIsTaken) {
   EXPECT_EQ(settings.classes.descriptor.box, features::GridBox::kSquare);
   EXPECT_EQ(settings.classes.moved.num_copies, 4);
   EXPECT_EQ(settings.num_classes, 4U);
+  EXPECT_EQ(Applied({{"descriptor", "vfh"}}).classes.descriptor.type,
+            features::CloudDescriptorType::kViewpointHistogram);
+  EXPECT_EQ(Applied({{"descriptor", "esf"}}).classes.descriptor.type,
+            features::CloudDescriptorType::kShapeFunctions);
   EXPECT_EQ(ViewSettingKeys().size(), 18U) << "a new key is tried here";
 }
 
