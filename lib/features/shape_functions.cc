@@ -52,11 +52,8 @@ class VoxelGrid {
     }
   }
 
-  // Whether the voxel with number (64 x + y) 64 + z is full: 0 or 1.
-  [[nodiscard]] int At(std::int32_t number) const noexcept {
-    const auto index = static_cast<std::uint32_t>(number);
-    return static_cast<int>((words_[index / kGridSize] >> (index % kGridSize)) & 1U);
-  }
+  // Whether the voxel of a word of Trace is full: 0 or 1.
+  [[nodiscard]] int At(std::uint64_t at) const noexcept;
 
  private:
   std::uint64_t* words_;
@@ -72,37 +69,41 @@ struct Line {
   }
 };
 
-// One axis of a line of voxels.
-struct Axis {
-  std::int32_t length = 0;  // voxels
-  std::int32_t step = 0;    // of the voxel's number
-};
+// A voxel in one word: 20 bits an axis, of them kFractionBits behind the point.
+constexpr unsigned kFractionBits = 14;
+constexpr unsigned kAxisBits = kFractionBits + 6;
+constexpr std::int64_t kOne = std::int64_t{1} << kFractionBits;
 
-Axis AxisOf(int from, int to, std::int32_t stride) noexcept {
-  return {std::abs(to - from), to < from ? -stride : stride};
+int VoxelGrid::At(std::uint64_t at) const noexcept {
+  const std::uint64_t x = at >> (2 * kAxisBits + kFractionBits);
+  const std::uint64_t y = (at >> (kAxisBits + kFractionBits)) % kGridSize;
+  const std::uint64_t z = (at >> kFractionBits) % kGridSize;
+  return static_cast<int>((words_[x * kGridSize + y] >> z) & 1U);
 }
 
-// Bresenham's line in three dimensions, without a branch in the loop: which of two voxels comes
-// next is not predictable.
+// Bresenham's line in three dimensions. Along an axis of m voxels out of the longest axis' l, its
+// voxel after i steps is ⌊t⌋ = ⌊½ − 1/(4l) + i m/l⌋ from the first: t is at least 1/(4l) from any
+// whole number, which 14 bits keep for l ≤ 63, so that one addition takes all three axes to the
+// next voxel.
 Line Trace(const VoxelGrid& grid, const Point& from, const Point& to) noexcept {
-  Axis along = AxisOf(from.voxel[0], to.voxel[0], kGridSize * kGridSize);
-  Axis a = AxisOf(from.voxel[1], to.voxel[1], kGridSize);
-  Axis b = AxisOf(from.voxel[2], to.voxel[2], 1);
-  if (along.length < a.length || along.length < b.length) {
-    std::swap(along, a.length >= b.length ? a : b);
+  std::array<int, 3> lengths;
+  for (std::size_t axis = 0; axis < 3; ++axis) lengths[axis] = to.voxel[axis] - from.voxel[axis];
+  const int longest =
+      std::max({1, std::abs(lengths[0]), std::abs(lengths[1]), std::abs(lengths[2])});
+  const float scale = static_cast<float>(kOne) / static_cast<float>(longest);
+  const auto begin = static_cast<std::int64_t>(0.5F * static_cast<float>(kOne) - 0.25F * scale);
+  std::int64_t at = 0;
+  std::int64_t step = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float slope = static_cast<float>(std::abs(lengths[axis])) * scale + 0.5F;
+    const bool falls = lengths[axis] < 0;
+    const std::int64_t first = from.voxel[axis] * kOne + (falls ? kOne - begin : begin);
+    at = (at << kAxisBits) + first;
+    step = (step << kAxisBits) + (falls ? -1 : 1) * static_cast<std::int64_t>(slope);
   }
-  const std::int32_t twice = 2 * along.length;
-  std::int32_t excess_a = 2 * a.length - along.length;
-  std::int32_t excess_b = 2 * b.length - along.length;
-  std::int32_t number = (from.voxel[0] * kGridSize + from.voxel[1]) * kGridSize + from.voxel[2];
-  Line line{.num_voxels = std::max(along.length, 1), .num_full = grid.At(number)};
-  for (std::int32_t i = 1; i < along.length; ++i) {
-    const std::int32_t step_a = -static_cast<std::int32_t>(excess_a > 0);  // all bits or none
-    const std::int32_t step_b = -static_cast<std::int32_t>(excess_b > 0);
-    number += along.step + (step_a & a.step) + (step_b & b.step);
-    excess_a += 2 * a.length - (step_a & twice);
-    excess_b += 2 * b.length - (step_b & twice);
-    line.num_full += grid.At(number);
+  Line line{.num_voxels = longest};
+  for (int i = 0; i < longest; ++i, at += step) {
+    line.num_full += grid.At(static_cast<std::uint64_t>(at));
   }
   return line;
 }
