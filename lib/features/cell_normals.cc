@@ -9,9 +9,15 @@
 namespace handcraft::features {
 namespace {
 
-Vector3 MeanOf(const CellSum& sum, const Vector3& mean) noexcept {
-  const double share = 1.0 / sum.count;
-  return {sum.x * share - mean[0], sum.y * share - mean[1], sum.z * share - mean[2]};
+// Each cell's mean in place of its sum, from the mean of all.
+void TakeMeans(std::span<CellSum> sums, const Vector3& mean) noexcept {
+  for (CellSum& sum : sums) {
+    if (sum.count == 0.0) continue;
+    sum = {.x = sum.x / sum.count - mean[0],
+           .y = sum.y / sum.count - mean[1],
+           .z = sum.z / sum.count - mean[2],
+           .count = 1.0};
+  }
 }
 
 // What the cells of a window add up to; r and c are counted from its middle.
@@ -70,7 +76,7 @@ Vector3 Oriented(const Vector3& normal, const Vector3& direction) noexcept {
 
 }  // namespace
 
-std::size_t FindCellNormals(std::span<const CellSum> sums,
+std::size_t FindCellNormals(std::span<CellSum> sums,
                             int side,
                             const Vector3& mean_m,
                             const Vector3& viewpoint_m,
@@ -79,11 +85,13 @@ std::size_t FindCellNormals(std::span<const CellSum> sums,
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(side) +
            static_cast<std::size_t>(column);
   };
+  TakeMeans(sums, mean_m);
   std::size_t size = 0;
   for (int row = 0; row < side; ++row) {
     for (int column = 0; column < side; ++column) {
-      if (sums[at(row, column)].count == 0.0) continue;
-      const Vector3 point = MeanOf(sums[at(row, column)], mean_m);
+      const CellSum& middle = sums[at(row, column)];
+      if (middle.count == 0.0) continue;
+      const Vector3 point = {middle.x, middle.y, middle.z};
       WindowSums window;
       for (int y = std::max(row - kNormalRadius, 0); y <= std::min(row + kNormalRadius, side - 1);
            ++y) {
@@ -91,7 +99,7 @@ std::size_t FindCellNormals(std::span<const CellSum> sums,
              x <= std::min(column + kNormalRadius, side - 1);
              ++x) {
           const CellSum& sum = sums[at(y, x)];
-          if (sum.count != 0.0) window.Add(y - row, x - column, MeanOf(sum, mean_m));
+          if (sum.count != 0.0) window.Add(y - row, x - column, {sum.x, sum.y, sum.z});
         }
       }
       surface[size++] = {point, Oriented(window.Normal(), Subtract(viewpoint_m, point))};

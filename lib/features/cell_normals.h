@@ -28,11 +28,12 @@ inline constexpr int kNormalRadius = 2;
 /// about the viewpoint or turn about its axis (with their cells) keep, or turn, their normals.
 ///
 /// `surface` has side² entries and gets one for each cell that is not empty, in the order of cells;
-/// their number is returned. Does not allocate; thread-safe.
-/// Source: the average gradient of S. Holzer et al., "Adaptive neighborhood selection for real-time
-/// surface normal estimation from organized point cloud data", IROS 2012, section III-B, with the
-/// plane's least squares in place of central differences: cells may be empty.
-std::size_t FindCellNormals(std::span<const CellSum> sums,
+/// their number is returned. `sums` is left with the means, each as if of one point. Does not
+/// allocate; thread-safe. Source: the average gradient of S. Holzer et al., "Adaptive neighborhood
+/// selection for real-time surface normal estimation from organized point cloud data", IROS 2012,
+/// section III-B, with the plane's least squares in place of central differences: cells may be
+/// empty.
+std::size_t FindCellNormals(std::span<CellSum> sums,
                             int side,
                             const Vector3& mean_m,
                             const Vector3& viewpoint_m,

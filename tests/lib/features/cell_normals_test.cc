@@ -28,7 +28,7 @@ std::vector<CellSum> Bent(Depth&& depth) {
   return sums;
 }
 
-std::vector<SurfacePoint> Surface(const std::vector<CellSum>& sums,
+std::vector<SurfacePoint> Surface(std::vector<CellSum> sums,
                                   const Vector3& mean = {},
                                   const Vector3& viewpoint = {}) {
   std::vector<SurfacePoint> surface(sums.size());

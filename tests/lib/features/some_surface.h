@@ -13,13 +13,12 @@ namespace handcraft::testing {
 
 /// Points of a bent sheet and of a board that stands on its edge, with normals that tilt at random.
 /// All numbers are floats.
-inline std::vector<features::SurfacePoint> SomeSurface() {
-  constexpr int kNumPoints = 300;
+inline std::vector<features::SurfacePoint> SomeSurface(int num_points = 300) {
   Rng rng(7);
   const auto centred = [&rng](double width) { return width * (rng.Uniform() - 0.5); };
   const auto rounded = [](double value) { return static_cast<double>(static_cast<float>(value)); };
   std::vector<features::SurfacePoint> surface;
-  for (int i = 0; i < kNumPoints; ++i) {
+  for (int i = 0; i < num_points; ++i) {
     const double x = std::floor(centred(1.0) * 1024.0) / 1024.0;
     const double y = std::floor(centred(0.625) * 1024.0) / 1024.0;
     const bool is_sheet = i % 3 != 0;
