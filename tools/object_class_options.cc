@@ -47,12 +47,18 @@ void AddNamed(CLI::App& command,
 void AddObjectClassOptions(CLI::App& command, ObjectClassOptions& options) {
   using features::CloudDescriptorType;
   features::CloudDescriptor& descriptor = options.descriptor;
-  AddNamed<CloudDescriptorType>(
-      command,
-      "--descriptor",
-      descriptor.type,
-      {CloudDescriptorType::kGrid, CloudDescriptorType::kDepthGrid, CloudDescriptorType::kPolar},
-      "Mean points of a grid's cells, their depths alone, or mean points of rings and sectors");
+  AddNamed<CloudDescriptorType>(command,
+                                "--descriptor",
+                                descriptor.type,
+                                {CloudDescriptorType::kGrid,
+                                 CloudDescriptorType::kDepthGrid,
+                                 CloudDescriptorType::kPolar,
+                                 CloudDescriptorType::kViewpointHistogram,
+                                 CloudDescriptorType::kShapeFunctions},
+                                "Mean points of a grid's cells, their depths alone, or mean points "
+                                "of rings and sectors; of a "
+                                "grid's mean points the viewpoint feature histogram (with --frame "
+                                "camera) or shape functions");
   AddNumber(command,
             "--grid-size",
             descriptor.grid_size,

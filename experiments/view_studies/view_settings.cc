@@ -52,7 +52,9 @@ constexpr std::array kKeys = {
           settings.classes.descriptor.type = ParseWord(setting,
                                                        {CloudDescriptorType::kGrid,
                                                         CloudDescriptorType::kDepthGrid,
-                                                        CloudDescriptorType::kPolar});
+                                                        CloudDescriptorType::kPolar,
+                                                        CloudDescriptorType::kViewpointHistogram,
+                                                        CloudDescriptorType::kShapeFunctions});
         }},
     Key{"grid_size",
         [](const Setting& setting, ViewSettings& settings) {

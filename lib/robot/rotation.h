@@ -5,26 +5,22 @@
 
 #include <array>
 
+#include "lib/features/vector3.h"
+
 namespace handcraft::robot {
 
 /// Vectors and rotations of three dimensions in plain C++, so that what a robot runs needs no
 /// matrix library. Nothing here allocates or throws.
-using Vector3 = std::array<double, 3>;
+using features::Cross;
+using features::Dot;
+using features::Subtract;
+using features::Vector3;
 using Matrix3 = std::array<double, 9>;  ///< row-major
 
 inline constexpr Matrix3 kIdentity3 = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
-[[nodiscard]] constexpr double Dot(const Vector3& a, const Vector3& b) noexcept {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-[[nodiscard]] constexpr Vector3 Cross(const Vector3& a, const Vector3& b) noexcept {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 [[nodiscard]] constexpr Vector3 Add(const Vector3& a, const Vector3& b) noexcept {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-[[nodiscard]] constexpr Vector3 Subtract(const Vector3& a, const Vector3& b) noexcept {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 [[nodiscard]] constexpr Vector3 Scale(const Vector3& a, double factor) noexcept {
   return {a[0] * factor, a[1] * factor, a[2] * factor};

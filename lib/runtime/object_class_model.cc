@@ -61,7 +61,11 @@ bool ReadDescriptor(ContentReader& reader, CloudDescriptor& descriptor) {
   descriptor.scaling = static_cast<features::CloudScaling>(scaling);
   descriptor.frame = static_cast<features::CloudFrame>(frame);
   descriptor.box = static_cast<features::GridBox>(box);
-  return complete;
+  if (!complete || descriptor.FrameFits()) return complete;
+  return reader.Fail(MakeError(HC_ERROR_CONTENT,
+                               reader.OffsetOf("cloud_frame"),
+                               "'cloud_frame' is base; a viewpoint histogram needs camera, whose "
+                               "origin is the viewpoint"));
 }
 
 bool ReadMachine(ContentReader& reader, ObjectClassModel& model) {

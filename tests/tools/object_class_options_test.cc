@@ -35,7 +35,10 @@ TEST(ObjectClassOptions, AreTaken) {
   EXPECT_EQ(options.moved.num_copies, 4);
   EXPECT_EQ(options.num_folds, 0);
   EXPECT_EQ(options.svm.kernel, features::SimilarityType::kRbf);
-  EXPECT_EQ(Parse("--descriptor polar").descriptor.type, features::CloudDescriptorType::kPolar);
+  using features::CloudDescriptorType;
+  EXPECT_EQ(Parse("--descriptor polar").descriptor.type, CloudDescriptorType::kPolar);
+  EXPECT_EQ(Parse("--descriptor vfh").descriptor.type, CloudDescriptorType::kViewpointHistogram);
+  EXPECT_EQ(Parse("--descriptor esf").descriptor.type, CloudDescriptorType::kShapeFunctions);
 }
 
 TEST(ObjectClassOptions, RefuseWhatIsOutOfRange) {

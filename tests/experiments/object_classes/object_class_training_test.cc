@@ -132,6 +132,11 @@ TEST(ObjectClassTraining, OptionsAreChecked) {
   };
   EXPECT_NO_THROW(ObjectClassOptions().Validate());
   refused([](auto& options) { options.descriptor.grid_size = 129; }, "grid_size is 129");
+  refused(
+      [](auto& options) {
+        options.descriptor.type = features::CloudDescriptorType::kViewpointHistogram;
+      },
+      "the descriptor vfh needs the frame camera");
   refused([](auto& options) { options.num_folds = 1; }, "num_folds is 1");
   refused([](auto& options) { options.outlier_step = -1.0; }, "outlier_step");
   refused([](auto& options) { options.svm.penalty = 0.0; }, "svm::Options.penalty");

@@ -63,6 +63,10 @@ TEST(ViewSettings, EveryKeyIsTaken) {
   EXPECT_EQ(settings.classes.descriptor.box, features::GridBox::kSquare);
   EXPECT_EQ(settings.classes.moved.num_copies, 4);
   EXPECT_EQ(settings.num_classes, 4U);
+  EXPECT_EQ(Applied({{"descriptor", "vfh"}}).classes.descriptor.type,
+            features::CloudDescriptorType::kViewpointHistogram);
+  EXPECT_EQ(Applied({{"descriptor", "esf"}}).classes.descriptor.type,
+            features::CloudDescriptorType::kShapeFunctions);
   EXPECT_EQ(settings.grasps.num_neighbours, 5U);
   EXPECT_EQ(settings.grasps.max_distance_m, 0.02);
   EXPECT_EQ(settings.grasps.held_out, HeldOutPart::kView);

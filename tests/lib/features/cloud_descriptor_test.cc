@@ -5,12 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "lib/features/cell_normals.h"
+#include "lib/features/shape_functions.h"
+#include "lib/features/viewpoint_histogram.h"
 #include "tests/lib/features/some_object.h"
 #include "tests/support/allocation_counter.h"
 
@@ -21,6 +26,14 @@ using testing::SomeObject;
 
 constexpr CloudDescriptorType kTypes[] = {
     CloudDescriptorType::kGrid, CloudDescriptorType::kDepthGrid, CloudDescriptorType::kPolar};
+constexpr CloudDescriptorType kHistograms[] = {CloudDescriptorType::kViewpointHistogram,
+                                               CloudDescriptorType::kShapeFunctions};
+constexpr CloudDescriptorType kAllTypes[] = {CloudDescriptorType::kGrid,
+                                             CloudDescriptorType::kDepthGrid,
+                                             CloudDescriptorType::kPolar,
+                                             CloudDescriptorType::kViewpointHistogram,
+                                             CloudDescriptorType::kShapeFunctions};
+static_assert(std::size(kAllTypes) == kNumCloudDescriptors);
 
 std::vector<float> Describe(const CloudDescriptor& descriptor, const ObjectCloud& cloud) {
   std::vector<std::byte> workspace(descriptor.WorkspaceBytes());
@@ -145,12 +158,76 @@ TEST(CloudDescriptor, FewerThanThreePointsAreNoObject) {
   }
 }
 
+// The share of what two histograms of one kind do not have in common.
+double Apart(const std::vector<float>& a, const std::vector<float>& b) {
+  double difference = 0.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    difference += std::fabs(static_cast<double>(a[i]) - static_cast<double>(b[i]));
+    sum += static_cast<double>(a[i]) + static_cast<double>(b[i]);
+  }
+  return difference / sum;
+}
+
+TEST(CloudDescriptor, HistogramsAreThoseOfTheCellsMeanPoints) {
+  const SomeObject object(61, 47);
+  CloudDescriptor descriptor{.grid_size = 12, .frame = CloudFrame::kCamera};
+  std::vector<CellSum> sums(12 * 12);
+  ASSERT_GT(SumCells(object.View(), 12, GridBox::kFitted, sums), 0U);
+  std::vector<Vector3> points;
+  for (const CellSum& sum : sums) {
+    if (sum.count > 0.0) {
+      points.push_back({sum.x / sum.count, sum.y / sum.count, sum.z / sum.count});
+    }
+  }
+  std::vector<std::byte> workspace(ShapeFunctionsWorkspace(points.size()));
+  std::vector<float> shape(kShapeFunctionsSize);
+  DescribeByShapeFunctions(points, workspace, std::span<float, kShapeFunctionsSize>(shape));
+  descriptor.type = CloudDescriptorType::kShapeFunctions;
+  EXPECT_LT(Apart(Describe(descriptor, object.View()), shape), 0.01);
+
+  std::vector<SurfacePoint> surface(sums.size());
+  surface.resize(FindCellNormals(sums, 12, {}, {}, surface));
+  std::vector<float> view(kViewpointHistogramSize);
+  DescribeByViewpointHistogram(surface, {}, std::span<float, kViewpointHistogramSize>(view));
+  descriptor.type = CloudDescriptorType::kViewpointHistogram;
+  EXPECT_LT(Apart(Describe(descriptor, object.View()), view), 0.01);
+}
+
+TEST(CloudDescriptor, HistogramsOfPointsTwiceAsFarApartAndAwayAreTheSame) {
+  const SomeObject object(61, 47);
+  SomeObject grown = object;
+  for (float& value : grown.points) value *= 2.0F;
+  for (const CloudDescriptorType type : kHistograms) {
+    const CloudDescriptor descriptor{.type = type, .grid_size = 20, .frame = CloudFrame::kCamera};
+    EXPECT_EQ(Describe(descriptor, object.View()), Describe(descriptor, grown.View()));
+  }
+}
+
+TEST(CloudDescriptor, ShapeFunctionsOfMovedPointsAreTheSameAndTheViewIsNot) {
+  const SomeObject object(61, 47);
+  SomeObject moved = object;
+  for (std::size_t i = 2; i < moved.points.size(); i += 3) moved.points[i] += 2.0F;
+  CloudDescriptor descriptor{.type = CloudDescriptorType::kShapeFunctions, .grid_size = 20};
+  EXPECT_LT(Apart(Describe(descriptor, object.View()), Describe(descriptor, moved.View())), 0.01);
+  descriptor.type = CloudDescriptorType::kViewpointHistogram;
+  EXPECT_GT(Apart(Describe(descriptor, object.View()), Describe(descriptor, moved.View())), 0.05);
+}
+
+TEST(CloudDescriptor, OfTheViewNeedsTheCamerasFrame) {
+  for (const CloudDescriptorType type : kAllTypes) {
+    EXPECT_EQ((CloudDescriptor{.type = type}.FrameFits()),
+              type != CloudDescriptorType::kViewpointHistogram);
+    EXPECT_TRUE((CloudDescriptor{.type = type, .frame = CloudFrame::kCamera}.FrameFits()));
+  }
+}
+
 TEST(CloudDescriptor, NeverWritesWhatIsNotFinite) {
   constexpr float kMax = std::numeric_limits<float>::max();
   SomeObject object(24, 24);
   for (std::size_t i = 0; i < object.points.size(); i += 7) object.points[i] = kMax;
   for (std::size_t i = 3; i < object.points.size(); i += 11) object.points[i] = -1e6F;
-  for (const CloudDescriptorType type : kTypes) {
+  for (const CloudDescriptorType type : kAllTypes) {
     for (const CloudScaling scaling : {CloudScaling::kMetric, CloudScaling::kUnit}) {
       for (const int side : {1, 5, 128}) {
         for (const float feature : Describe({type, side, scaling}, object.View())) {
@@ -165,15 +242,17 @@ TEST(CloudDescriptor, OfPointsInOnePlaceIsZero) {
   SomeObject object(10, 10);
   std::fill(object.points.begin(), object.points.end(), 0.25F);
   for (const CloudScaling scaling : {CloudScaling::kMetric, CloudScaling::kUnit}) {
-    const CloudDescriptor descriptor{.grid_size = 5, .scaling = scaling};
-    for (const float feature : Describe(descriptor, object.View())) EXPECT_EQ(feature, 0.0F);
+    for (const CloudDescriptorType type : kAllTypes) {
+      const CloudDescriptor descriptor{.type = type, .grid_size = 5, .scaling = scaling};
+      for (const float feature : Describe(descriptor, object.View())) EXPECT_EQ(feature, 0.0F);
+    }
   }
 }
 
 TEST(CloudDescriptor, DoesNotAllocate) {
   if (!testing::AllocationCounter::Available()) GTEST_SKIP() << "a sanitizer has its own malloc";
   const SomeObject object(40, 30);
-  for (const CloudDescriptorType type : kTypes) {
+  for (const CloudDescriptorType type : kAllTypes) {
     const CloudDescriptor descriptor{.type = type};
     std::vector<std::byte> workspace(descriptor.WorkspaceBytes());
     std::vector<float> features(descriptor.NumFeatures());
@@ -188,6 +267,8 @@ TEST(CloudDescriptor, Names) {
   EXPECT_EQ(NameOf(CloudDescriptorType::kGrid), "grid");
   EXPECT_EQ(NameOf(CloudDescriptorType::kDepthGrid), "depth-grid");
   EXPECT_EQ(NameOf(CloudDescriptorType::kPolar), "polar");
+  EXPECT_EQ(NameOf(CloudDescriptorType::kViewpointHistogram), "vfh");
+  EXPECT_EQ(NameOf(CloudDescriptorType::kShapeFunctions), "esf");
   EXPECT_EQ(NameOf(GridBox::kSquare), "square");
   EXPECT_EQ(NameOf(CloudScaling::kUnit), "unit");
   EXPECT_EQ(NameOf(CloudFrame::kCamera), "camera");

@@ -3,6 +3,7 @@
 
 #include "lib/runtime/object_class_model.h"
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -81,6 +82,48 @@ TEST(ObjectClassModel, RefusesDescriptorsItDoesNotKnow) {
   ExpectRefused(set("cloud_frame", 2), "'cloud_frame' is 2; a number from 0 to 1");
   ExpectRefused(set("cloud_grid_size", 3),
                 "the machine reads 4 features and the descriptor has 9; train the model again");
+  ExpectRefused(set("cloud_descriptor", 3), "a viewpoint histogram needs camera");
+}
+
+// Features of an object, of length 1.
+std::vector<double> UnitFeatures(const features::CloudDescriptor& descriptor,
+                                 const testing::SomeObject& object) {
+  std::vector<std::byte> workspace(descriptor.WorkspaceBytes());
+  std::vector<float> features(descriptor.NumFeatures());
+  EXPECT_TRUE(descriptor.Compute(object.View(), workspace, features));
+  double squares = 0.0;
+  for (const float value : features) squares += double{value} * double{value};
+  std::vector<double> unit;
+  for (const float value : features) {
+    unit.push_back(static_cast<double>(static_cast<float>(double{value} / std::sqrt(squares))));
+  }
+  return unit;
+}
+
+// Linear machines whose weights are the features of the objects: each tells its own.
+TEST(ObjectClassModel, ClassifiesByHistograms) {
+  using features::CloudDescriptorType;
+  for (const CloudDescriptorType type :
+       {CloudDescriptorType::kViewpointHistogram, CloudDescriptorType::kShapeFunctions}) {
+    const testing::SomeObject first(24, 20);
+    const testing::SomeObject second(40, 9, 5);
+    model_io::ObjectClassModel classes = testing::SomeObjectClasses();
+    classes.descriptor = {.type = type, .grid_size = 10, .frame = features::CloudFrame::kCamera};
+    const std::size_t p = classes.descriptor.NumFeatures();
+    classes.svm.feature_mean.assign(p, 0.0);
+    classes.svm.feature_scale.assign(p, 1.0);
+    classes.svm.support_vectors = UnitFeatures(classes.descriptor, first);
+    for (const double value : UnitFeatures(classes.descriptor, second)) {
+      classes.svm.support_vectors.push_back(value);
+    }
+    classes.svm.support_vectors.resize(3 * p);
+    const auto model = Load(testing::SomeObjectClassModel(classes));
+    ASSERT_TRUE(model) << model.error().message;
+    EXPECT_EQ(model->descriptor.type, type);
+    const AlignedBuffer workspace(model->WorkspaceBytes());
+    EXPECT_EQ(model->Predict(first.View(), workspace.Bytes())->vote.winner, 0U);
+    EXPECT_EQ(model->Predict(second.View(), workspace.Bytes())->vote.winner, 1U);
+  }
 }
 
 TEST(ObjectClassModel, RefusesAMachineThatDoesNotDecideAsStored) {
