@@ -3,7 +3,6 @@
 
 #include "datasets/importers/image_set_import.h"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -88,9 +87,7 @@ LabelledImageSet ImportPictures(SourceSet source,
   WriteManifest(set);
   staging.MoveToTarget();
   set.root = out;
-  for (const std::vector<Fault>& of_picture : notes) {
-    if (options.on_note) std::for_each(of_picture.begin(), of_picture.end(), options.on_note);
-  }
+  TellNotes(notes, options);
   return set;
 }
 

@@ -63,9 +63,9 @@ struct ImportOptions {
   std::string licence = "see LICENCE";
   int num_threads = 1;
   Progress progress = {};
-  /// Told of each thing that is legal and worth knowing, in the order of the pictures, once the set
-  /// is written: a shape that covers no pixel, a mask without good or without bad ones. Paths are
-  /// the source's or, of masks, relative to `out`.
+  /// Told of each thing that is hardly meant, in the order of the pictures, once the set is
+  /// written: a shape that covers no pixel, a mask without good or without bad ones, a view without
+  /// an object. Paths are the source's or, of masks, relative to `out`.
   std::function<void(const Fault& note)> on_note = {};
 
   /// Throws Error(kUsage) naming field, value and rule.

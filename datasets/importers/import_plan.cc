@@ -135,6 +135,14 @@ void PlanImport(SourceSet& source, const ImportOptions& options) {
   LeaveOutNeighboursOfTheTest(source);
 }
 
+void TellNotes(const std::vector<std::vector<Fault>>& notes_of_pictures,
+               const ImportOptions& options) {
+  if (!options.on_note) return;
+  for (const std::vector<Fault>& notes : notes_of_pictures) {
+    std::for_each(notes.begin(), notes.end(), options.on_note);
+  }
+}
+
 void AddFoldersOf(const StagingFolder& staging, const std::vector<std::string>& files) {
   std::set<fs::path> folders;
   for (const std::string& file : files) {

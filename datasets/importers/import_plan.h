@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "datasets/formats/fault.h"
 #include "datasets/formats/mask_picture.h"
 #include "datasets/importers/image_set_import.h"
 #include "datasets/importers/source_tree.h"
@@ -19,6 +20,10 @@ namespace handcraft::datasets {
 /// Checks the options, refuses pictures or masks of one name, names the instances, thins the
 /// pictures and splits them, as ImportPictures says.
 void PlanImport(SourceSet& source, const ImportOptions& options);
+
+/// Calls options.on_note, where there is one, with the notes on each picture, in their order.
+void TellNotes(const std::vector<std::vector<Fault>>& notes_of_pictures,
+               const ImportOptions& options);
 
 /// Makes the folders that files of these paths, relative to the staging folder, lie in.
 void AddFoldersOf(const StagingFolder& staging, const std::vector<std::string>& files);

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "datasets/close_up.h"
+#include "datasets/formats/fault.h"
 #include "datasets/formats/mask_picture.h"
 #include "datasets/importers/import_plan.h"
 #include "datasets/importers/source_tree.h"
@@ -30,13 +32,21 @@ ObjectView Describe(const SourcePicture& picture, const std::string& licence) {
           .licence = licence};
 }
 
-void WriteView(const SourcePicture& picture, const ObjectView& view, const fs::path& root) {
+// Returns what is worth knowing about it.
+std::vector<Fault> WriteView(const SourcePicture& picture,
+                             const ObjectView& view,
+                             const fs::path& root) {
   const Image image = CopyPicture(picture, root / view.image);
   const PixelSize size = {image.width(), image.height()};
   const Image mask = picture.make_mask(image.width(), image.height());
   RequireSameSize(picture.path, "the object mask", {mask.width(), mask.height()}, size);
   perception::WritePng(root / view.object_mask, mask);
   if (picture.make_cloud) WriteCloud(picture, size, root / view.cloud);
+  if (FindBox(mask, kObject)) return {};
+  return {{.path = view.object_mask,
+           .reason = "no pixel of an object (255): handcraft data check refuses the set",
+           .gravity = Gravity::kNote,
+           .remedy = "leave the picture out"}};
 }
 
 }  // namespace
@@ -54,14 +64,17 @@ ViewSet ImportViews(SourceSet source, const fs::path& out, const ImportOptions& 
     if (!view.cloud.empty()) files.push_back(view.cloud);
   }
   AddFoldersOf(staging, files);
-  ParallelForReporting(pictures.size(),
-                       options.num_threads,
-                       options.progress,
-                       "importing views",
-                       [&](std::size_t i) { WriteView(pictures[i], set.items[i], set.root); });
+  std::vector<std::vector<Fault>> notes(pictures.size());
+  ParallelForReporting(
+      pictures.size(),
+      options.num_threads,
+      options.progress,
+      "importing views",
+      [&](std::size_t i) { notes[i] = WriteView(pictures[i], set.items[i], set.root); });
   WriteViews(set);
   staging.MoveToTarget();
   set.root = out;
+  TellNotes(notes, options);
   return set;
 }
 

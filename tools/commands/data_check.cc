@@ -5,7 +5,6 @@
 #include <memory>
 #include <ostream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,6 +14,7 @@
 #include "lib/core/error.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
+#include "tools/findings.h"
 #include "tools/progress_bar.h"
 
 namespace handcraft::tools {
@@ -25,18 +25,6 @@ struct DataCheckOptions {
   int num_threads = 1;
   bool json = false;
 };
-
-nlohmann::ordered_json ToJson(const std::vector<datasets::Fault>& findings) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const datasets::Fault& finding : findings) {
-    nlohmann::ordered_json& entry = list.emplace_back();
-    entry["path"] = finding.path;
-    if (finding.line) entry["line"] = *finding.line;
-    entry["reason"] = finding.reason;
-    if (!finding.remedy.empty()) entry["remedy"] = finding.remedy;
-  }
-  return list;
-}
 
 void PrintJson(const Console& console,
                const std::string& folder,
@@ -50,15 +38,9 @@ void PrintJson(const Console& console,
 }
 
 void PrintFindings(const Console& console,
-                   std::string_view kind,
+                   const std::string& kind,
                    const std::vector<datasets::Fault>& findings) {
-  for (const datasets::Fault& finding : findings) {
-    const Error told({.path = finding.path,
-                      .line = finding.line,
-                      .reason = std::string(kind) + finding.reason,
-                      .remedy = finding.remedy});
-    console.out << told.what() << '\n';
-  }
+  for (const datasets::Fault& finding : findings) console.out << ToText(finding, kind) << '\n';
 }
 
 // ", 480 demonstrations, 240 holds"

@@ -22,6 +22,7 @@
 #include "lib/core/error.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
+#include "tools/findings.h"
 #include "tools/import_formats.h"
 #include "tools/number_option.h"
 #include "tools/progress_bar.h"
@@ -78,19 +79,10 @@ void AddSharedOptions(CLI::App& command, DataImportOptions& options) {
 void Warn(const std::vector<datasets::Fault>& notes, const Console& console) {
   constexpr std::size_t kMostNotes = 10;
   for (std::size_t i = 0; i < std::min(notes.size(), kMostNotes); ++i) {
-    const datasets::Fault& note = notes[i];
-    console.Warn(Error({.path = note.path, .reason = note.reason, .remedy = note.remedy}).what());
+    console.Warn(ToText(notes[i]));
   }
   if (notes.size() <= kMostNotes) return;
-  console.Warn(std::to_string(notes.size() - kMostNotes) + " more of the kind; --json tells all");
-}
-
-nlohmann::ordered_json ToJson(const std::vector<datasets::Fault>& notes) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const datasets::Fault& note : notes) {
-    list.push_back({{"path", note.path}, {"reason", note.reason}, {"remedy", note.remedy}});
-  }
-  return list;
+  console.Warn(std::to_string(notes.size() - kMostNotes) + " more; --json tells all");
 }
 
 // What was made, in words and as JSON.
@@ -113,11 +105,12 @@ void TellOf(const Set& set,
 
 // data check refuses a picture that is listed twice; files of unequal size need not be read.
 template <class Set>
-void WarnOfTwins(const Set& set, const Console& console) {
+std::vector<datasets::Fault> NotesOnTwins(const Set& set) {
   std::map<std::uintmax_t, std::vector<std::string>> by_size;
   for (const auto& item : set.items) {
     by_size[std::filesystem::file_size(set.root / item.image)].push_back(item.image);
   }
+  std::vector<datasets::Fault> notes;
   for (const auto& group : by_size) {
     std::map<std::string, std::string> first_of_content;
     if (group.second.size() < 2) continue;
@@ -125,10 +118,27 @@ void WarnOfTwins(const Set& set, const Console& console) {
       const std::string digest = datasets::FileDigest(set.root / image);
       const auto [first, is_new] = first_of_content.try_emplace(digest, image);
       if (is_new) continue;
-      console.Warn(image + " is the same picture as " + first->second +
-                   ": handcraft data check refuses the set; keep one of them");
+      notes.push_back({.path = image,
+                       .reason = "is the same picture as " + first->second +
+                                 ": handcraft data check refuses the set",
+                       .gravity = datasets::Gravity::kNote,
+                       .remedy = "keep one of them"});
     }
   }
+  return notes;
+}
+
+// Warns of what is worth knowing, twins first, and tells of what was made.
+template <class Set>
+void Tell(const Set& set,
+          const std::vector<datasets::Fault>& notes,
+          const char* what,
+          const DataImportOptions& options,
+          const Console& console) {
+  std::vector<datasets::Fault> all = NotesOnTwins(set);
+  all.insert(all.end(), notes.begin(), notes.end());
+  Warn(all, console);
+  TellOf(set, all, what, options, console);
 }
 
 void RequireThere(const std::filesystem::path& source) {
@@ -144,26 +154,22 @@ void RunDataImport(const DataImportOptions& options, const Console& console) {
   RequireThere(options.source);
   datasets::SourceSet source = options.list(options.source);
   ProgressBar bar(console);
-  datasets::ImportOptions import = options.import;
-  import.progress = bar.Callback();
   std::vector<datasets::Fault> notes;
-  import.on_note = [&notes](const datasets::Fault& note) { notes.push_back(note);
-};
-if (options.makes == SetKind::kViews) {
-  const datasets::ViewSet set = datasets::ImportViews(std::move(source), options.out, import);
-  bar.Clear();
-  WarnOfTwins(set, console);
-  TellOf(set, notes, "views", options, console);
-} else {
-  const auto set = datasets::ImportPictures(std::move(source), options.out, import);
-  bar.Clear();
-  Warn(notes, console);
-  WarnOfTwins(set, console);
-  TellOf(set, notes, "images", options, console);
+  datasets::ImportOptions with_calls = options.import;
+  with_calls.progress = bar.Callback();
+  with_calls.on_note = [&notes](const datasets::Fault& note) { notes.push_back(note); };
+  if (options.makes == SetKind::kViews) {
+    const auto set = datasets::ImportViews(std::move(source), options.out, with_calls);
+    bar.Clear();
+    Tell(set, notes, "views", options, console);
+  } else {
+    const auto set = datasets::ImportPictures(std::move(source), options.out, with_calls);
+    bar.Clear();
+    Tell(set, notes, "images", options, console);
+  }
 }
-}  // namespace
 
-}  // namespace handcraft::tools
+}  // namespace
 
 void AddDataImport(CLI::App& parent, const Console& console) {
   CLI::App* import = parent.add_subcommand("import", "Turn a public data set into one of ours");

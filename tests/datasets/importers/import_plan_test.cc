@@ -97,5 +97,16 @@ TEST(AddFoldersOf, MakesParentsFirst) {
   EXPECT_TRUE(fs::is_directory(folder / "out/b/c"));
 }
 
+TEST(TellNotes, GoesThroughThePicturesInOrder) {
+  const std::vector<std::vector<Fault>> notes = {
+      {{.path = "a", .reason = ""}, {.path = "b", .reason = ""}},
+      {},
+      {{.path = "c", .reason = ""}}};
+  std::string told;
+  TellNotes(notes, {.on_note = [&](const Fault& note) { told += note.path; }});
+  EXPECT_EQ(told, "abc");
+  EXPECT_NO_THROW(TellNotes(notes, {})) << "nobody listens";
+}
+
 }  // namespace
 }  // namespace handcraft::datasets

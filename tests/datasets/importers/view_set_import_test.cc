@@ -4,6 +4,8 @@
 #include "datasets/importers/view_set_import.h"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "datasets/view_set_faults.h"
 #include "tests/datasets/importers/importer_test.h"
@@ -11,6 +13,7 @@
 namespace handcraft::datasets {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
@@ -60,6 +63,18 @@ TEST_F(ImportViewsTest, WritesASetWithoutFaults) {
   const LoadedView view = ReadView(again, 0);
   ASSERT_TRUE(view.cloud);
   EXPECT_TRUE(view.cloud->At(3, 2).isApprox(Eigen::Vector3f(0.5F, 0, 0.1F)));
+}
+
+TEST_F(ImportViewsTest, TellsOfAViewWithoutAnObject) {
+  SourceSet source = Source();
+  source.pictures[1].make_mask = [](int width, int height) { return Image(width, height); };
+  std::vector<std::string> told;
+  const auto tell = [&](const Fault& note) { told.push_back(note.path + ": " + note.reason); };
+  const ViewSet set = ImportViews(std::move(source), out_, {.on_note = tell});
+  EXPECT_THAT(told,
+              ElementsAre("object_masks/cup/b.png: no pixel of an object (255): handcraft data "
+                          "check refuses the set"));
+  EXPECT_THAT(FindFaults(set), SizeIs(1)) << "which is what it tells";
 }
 
 TEST_F(ImportViewsTest, LeavesNothingBehindOnFailure) {

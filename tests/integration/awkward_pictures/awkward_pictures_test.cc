@@ -161,7 +161,8 @@ TEST_F(AwkwardPictures, AJpegOfInksBecomesColours) {
   const Image image = perception::ReadImage(set_ / "p0.jpg");
   ASSERT_EQ(image.channels(), 3);
   for (int channel = 0; channel < 3; ++channel) {
-    EXPECT_NEAR(image.At(5, 5, channel), 128 * 128 / 255, 2) << "as Adobe's programs write inks";
+    EXPECT_NEAR(image.At(5, 5, channel), 128.0 * 128.0 / 255.0, 2.0)
+        << "as Adobe's programs write inks";
   }
   EXPECT_EQ(Predict(set_ / "p0.jpg").code, 4) << "a picture of one colour has no good place";
 }

@@ -96,7 +96,7 @@ TEST_F(DataImport, WarnsOfAPictureThatIsThereTwice) {
   }
   const Outcome outcome = RunLine(line);
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_THAT(outcome.err, HasSubstr("p9.png is the same picture as "));
+  EXPECT_THAT(outcome.err, HasSubstr("p9.png: is the same picture as "));
   EXPECT_EQ(RunLine("data check " + out_.string()).code, 3) << "which is what it warns of";
 }
 
@@ -136,7 +136,7 @@ TEST_F(DataImport, TellsOfTenNotesAndHowManyMore) {
                                   " --out " + out_.string());
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 11);
-  EXPECT_THAT(outcome.err, HasSubstr("2 more of the kind; --json tells all"));
+  EXPECT_THAT(outcome.err, HasSubstr("2 more; --json tells all"));
 }
 
 TEST_F(DataImport, NamesFilesOnOneLine) {
