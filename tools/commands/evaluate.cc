@@ -107,6 +107,18 @@ std::string ClassesText(const std::vector<experiments::GroupFigures>& classes) {
   return table.ToText();
 }
 
+// What calling pixels good above a threshold comes to.
+void AddCallRows(double threshold,
+                 const experiments::Estimate& accuracy,
+                 const experiments::ConfusionRates& rates,
+                 TextTable& table) {
+  AddEstimateRow(fmt::format("accuracy at {}", threshold), accuracy, table);
+  AddEstimateRow(
+      fmt::format("good pixels called good at {}", threshold), rates.true_positive_rate, table);
+  AddEstimateRow(
+      fmt::format("bad pixels called bad at {}", threshold), rates.true_negative_rate, table);
+}
+
 void PrintGraspPoints(const Console& console,
                       const EvaluateOptions& options,
                       const experiments::GraspPointEvaluation& evaluation) {
@@ -117,16 +129,15 @@ void PrintGraspPoints(const Console& console,
                              options.split.empty() ? "all" : "split " + options.split)
               << ConfusionText(all.confusion, "bad", "good") << '\n';
   TextTable table({"measure", "value", "95 % interval over images"});
-  AddEstimateRow(fmt::format("accuracy at {}", options.evaluation.threshold), all.accuracy, table);
+  AddCallRows(options.evaluation.threshold, all.accuracy, all.rates, table);
   AddEstimateRow("area under the ROC curve", all.auc, table);
   AddEstimateRow(fmt::format("up to {} best pixels above {} that are good",
                              options.evaluation.best_pixels,
                              options.evaluation.best_min_probability),
                  all.best_pixel_accuracy,
                  table);
-  AddEstimateRow(fmt::format("accuracy at {}", options.evaluation.best_min_probability),
-                 all.strict_accuracy,
-                 table);
+  AddCallRows(
+      options.evaluation.best_min_probability, all.strict_accuracy, all.strict_rates, table);
   AddEstimateRow("average precision", all.average_precision, table);
   AddNumberRow("log-loss", all.log_loss, table);
   AddNumberRow("Brier score", all.brier, table);

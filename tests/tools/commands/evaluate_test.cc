@@ -62,6 +62,8 @@ TEST_F(EvaluateTest, PrintsConfusionMatrixAndIntervals) {
                     HasSubstr("predicted good  predicted bad"),
                     HasSubstr("95 % interval over images"),
                     HasSubstr("area under the ROC curve"),
+                    ContainsRegex("good pixels called good at 0.5 +[0-9.]+ % +[0-9.]+ % to"),
+                    ContainsRegex("bad pixels called bad at 0.9 +[0-9.]+ % +[0-9.]+ % to"),
                     HasSubstr("disc")));
 }
 
