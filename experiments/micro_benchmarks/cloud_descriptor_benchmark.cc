@@ -16,6 +16,7 @@ namespace handcraft::features {
 namespace {
 
 constexpr int kSide_px = 120;
+constexpr int kHalf_px = kSide_px / 2;
 
 // A bent surface 0.12 m wide, 0.6 m away, with noise; a twentieth is not measured.
 std::vector<float> BentSurface() {
@@ -23,8 +24,8 @@ std::vector<float> BentSurface() {
   std::vector<float> points;
   for (int v = 0; v < kSide_px; ++v) {
     for (int u = 0; u < kSide_px; ++u) {
-      const double x = 0.001 * (u - kSide_px / 2);
-      const double y = 0.001 * (v - kSide_px / 2);
+      const double x = 0.001 * (u - kHalf_px);
+      const double y = 0.001 * (v - kHalf_px);
       const double z = rng.UniformInt(20) == 0 ? std::numeric_limits<double>::quiet_NaN()
                                                : 0.6 + 4.0 * x * x + 0.001 * rng.Normal();
       for (const double value : {x, y, z}) points.push_back(static_cast<float>(value));
@@ -33,7 +34,7 @@ std::vector<float> BentSurface() {
   return points;
 }
 
-void BM_Describe(benchmark::State& state, CloudDescriptorType type) {
+void Describe(benchmark::State& state, CloudDescriptorType type) {
   const std::vector<float> points = BentSurface();
   const ObjectCloud cloud{
       .points = points.data(), .width = kSide_px, .height = kSide_px, .row_stride = 3 * kSide_px};
@@ -45,10 +46,10 @@ void BM_Describe(benchmark::State& state, CloudDescriptorType type) {
     benchmark::DoNotOptimize(done);
   }
 }
-BENCHMARK_CAPTURE(BM_Describe, grid, CloudDescriptorType::kGrid);
-BENCHMARK_CAPTURE(BM_Describe, polar, CloudDescriptorType::kPolar);
-BENCHMARK_CAPTURE(BM_Describe, vfh, CloudDescriptorType::kViewpointHistogram);
-BENCHMARK_CAPTURE(BM_Describe, esf, CloudDescriptorType::kShapeFunctions);
+BENCHMARK_CAPTURE(Describe, grid, CloudDescriptorType::kGrid);
+BENCHMARK_CAPTURE(Describe, polar, CloudDescriptorType::kPolar);
+BENCHMARK_CAPTURE(Describe, vfh, CloudDescriptorType::kViewpointHistogram);
+BENCHMARK_CAPTURE(Describe, esf, CloudDescriptorType::kShapeFunctions);
 
 }  // namespace
 }  // namespace handcraft::features

@@ -162,7 +162,8 @@ float SquaredArea(const Side& a, const Side& b) noexcept {
 }
 
 std::size_t BinOf(float share) noexcept {
-  return static_cast<std::size_t>(share * static_cast<float>(kShapeBins - 1) + 0.5F);
+  const float nearest = share * static_cast<float>(kShapeBins - 1) + 0.5F;  // truncated below
+  return static_cast<std::size_t>(nearest);
 }
 
 // Of the acute angle between two lines.

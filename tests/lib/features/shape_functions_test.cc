@@ -114,6 +114,7 @@ TEST(ShapeFunctions, QuarterTurnsAndReflectionsChangeNothingButRounding) {
 
 TEST(ShapeFunctions, WithoutATriangleAreZero) {
   std::vector<Vector3> line;
+  line.reserve(50);
   for (int i = 0; i < 50; ++i) line.push_back({0.1 * i, 0.2 * i, 0.0});
   EXPECT_EQ(Sum(Describe(line)), 0.0);
   EXPECT_EQ(Sum(Describe(std::vector<Vector3>(50, Vector3{1, 2, 3}))), 0.0);

@@ -117,8 +117,8 @@ TEST(ViewpointHistogram, AnotherViewpointChangesTheLastHistogramAlone) {
 TEST(ViewpointHistogram, PointsWithoutNormalDoNotCount) {
   std::vector<SurfacePoint> surface = SomeSurface();
   const std::vector<float> expected = Describe(surface);
-  surface.insert(surface.begin() + 7, {{9, 9, 9}, {}});
-  surface.push_back({{-9, 0, 1}, {}});
+  surface.insert(surface.begin() + 7, SurfacePoint{{9, 9, 9}, {}});
+  surface.push_back(SurfacePoint{{-9, 0, 1}, {}});
   EXPECT_EQ(Describe(surface), expected);
 }
 
