@@ -94,6 +94,7 @@ std::vector<double> UnitFeatures(const features::CloudDescriptor& descriptor,
   double squares = 0.0;
   for (const float value : features) squares += double{value} * double{value};
   std::vector<double> unit;
+  unit.reserve(features.size());
   for (const float value : features) {
     unit.push_back(static_cast<double>(static_cast<float>(double{value} / std::sqrt(squares))));
   }
