@@ -134,7 +134,7 @@ std::string LdaConfusionText(const StudyRun& run, const StudySummary& summary) {
   const ReportTable table = LdaConfusionTable(run, summary);
   if (table.rows.empty()) return {};
   return "<h2>Confusion matrices beside the dissertation</h2>\n<p class=\"note\">Percent of all "
-         "pixels.</p>\n" +
+         "pixels; 95 % intervals over images, the share of bad pixels taken as known.</p>\n" +
          HtmlText(table);
 }
 

@@ -149,7 +149,8 @@ std::string LdaConfusionText(const StudyRun& run, const StudySummary& summary) {
   const ReportTable table = LdaConfusionTable(run, summary);
   if (table.rows.empty()) return {};
   std::string text =
-      "\n## Confusion matrices beside the dissertation\n\nPercent of all pixels.\n\n" +
+      "\n## Confusion matrices beside the dissertation\n\nPercent of all pixels; "
+      "95 % intervals over images, the share of bad pixels taken as known.\n\n" +
       Head(table.head);
   for (const std::vector<std::string>& row : table.rows) text += Row(row);
   return text;
