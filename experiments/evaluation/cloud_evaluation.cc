@@ -34,6 +34,7 @@ std::vector<std::set<std::size_t>> RightClasses(const std::vector<std::string>& 
                                                 const CountsAs& counts_as,
                                                 const datasets::ViewSet& set) {
   const auto number_of = [&](const std::string& name) {
+    if (name == kNoneOfThese) return classes.size();
     const auto found = std::find(classes.begin(), classes.end(), name);
     if (found != classes.end()) return static_cast<std::size_t>(found - classes.begin());
     std::string list;
@@ -118,8 +119,15 @@ CloudEvaluation EvaluateClouds(const hc_model* model,
     const CloudClass said = classifier.Classify(datasets::ReadObjectCloud(set, i, options));
     const bool has_class = said.has_points && !said.is_rejected;
     const std::size_t truth = truths.values[i];
-    ++evaluation.confusion[truth][has_class ? said.number : num_classes];
-    evaluation.num_correct += has_class && right[truth].contains(said.number) ? 1 : 0;
+    const std::size_t answer = has_class ? said.number : num_classes;
+    const bool is_right = right[truth].contains(answer);
+    ++evaluation.confusion[truth][answer];
+    evaluation.answers.push_back({.truth = truth,
+                                  .answer = answer,
+                                  .margin = said.margin,
+                                  .has_points = said.has_points,
+                                  .is_right = is_right});
+    evaluation.num_correct += is_right ? 1 : 0;
     evaluation.num_rejected += has_class ? 0 : 1;
   }
   evaluation.accuracy = WilsonInterval(evaluation.num_correct, evaluation.num_views);

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "datasets/formats/view_set.h"
@@ -48,9 +49,21 @@ class CloudClassifier {
   std::unique_ptr<hc_workspace, FreeWorkspace> workspace_;
 };
 
-/// Which of the model's classes is right for a class that it does not know: "other mug" is a mug.
-/// Several may be.
+/// What is right when an object is none of the model's classes, and what such an answer is called.
+inline constexpr std::string_view kNoneOfThese = "none of these";
+
+/// Which of the model's classes is right for a class that it does not know: "other mug" is a mug,
+/// a box is kNoneOfThese. Several may be.
 using CountsAs = std::multimap<std::string, std::string>;
+
+/// What was said of one view.
+struct CloudAnswer {
+  std::size_t truth = 0;   ///< of CloudEvaluation.truths
+  std::size_t answer = 0;  ///< of CloudEvaluation.classes, or their number for "none of them"
+  double margin = 0.0;     ///< of a view of which enough was measured
+  bool has_points = false;
+  bool is_right = false;
+};
 
 struct CloudEvaluation {
   std::size_t num_views = 0;
@@ -58,6 +71,7 @@ struct CloudEvaluation {
   std::vector<std::string> classes = {};  ///< of the model
   /// A row a truth; a column a class, and a last one for "none of them".
   std::vector<std::vector<std::size_t>> confusion = {};
+  std::vector<CloudAnswer> answers = {};  ///< one a view
   std::size_t num_correct = 0;
   std::size_t num_rejected = 0;  ///< with those of which too little was measured
   Estimate accuracy = {};        ///< Wilson over views

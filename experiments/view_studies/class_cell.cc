@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <limits>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "datasets/view_folds.h"
 #include "experiments/evaluation/cloud_evaluation.h"
@@ -15,6 +18,7 @@
 #include "lib/core/error.h"
 #include "lib/model_io/model_writer.h"
 #include "lib/model_io/object_class_models.h"
+#include "trainers/svm/rejection.h"
 
 namespace handcraft::experiments {
 namespace {
@@ -61,13 +65,74 @@ AnswerCounts CountsOf(const datasets::ViewSet& set, const std::vector<std::uint3
   return answers;
 }
 
-AnswerCounts CountsOf(const CloudEvaluation& evaluation) {
-  AnswerCounts answers{.row_title = "object",
-                       .rows = evaluation.truths,
-                       .columns = evaluation.classes,
-                       .counts = evaluation.confusion};
-  answers.columns.emplace_back("none of these");
+// With what is below its class's threshold taken back.
+AnswerCounts CountsOf(const CloudEvaluation& evaluation, const std::vector<double>& thresholds) {
+  const std::size_t none = evaluation.classes.size();
+  AnswerCounts answers{
+      .row_title = "object",
+      .rows = evaluation.truths,
+      .columns = evaluation.classes,
+      .counts = std::vector(evaluation.truths.size(), std::vector<std::size_t>(none + 1))};
+  answers.columns.emplace_back(kNoneOfThese);
+  for (const CloudAnswer& said : evaluation.answers) {
+    const bool is_rejected = said.has_points && said.margin < thresholds[said.truth];
+    ++answers.counts[said.truth][is_rejected ? none : said.answer];
+  }
   return answers;
+}
+
+// Whether "none of these" is right for each class that is asked about.
+std::vector<bool> NovelOnes(const ViewStudy& study, const CloudEvaluation& evaluation) {
+  std::vector<bool> is_novel;
+  for (const std::string& truth : evaluation.truths) {
+    const auto entry = study.associations.find(truth);
+    is_novel.push_back(entry != study.associations.end() &&
+                       entry->second == std::vector<std::string>{std::string(kNoneOfThese)});
+  }
+  return is_novel;
+}
+
+// A class's threshold is set by the views of all others.
+double ThresholdOf(std::size_t truth,
+                   const std::vector<bool>& is_novel,
+                   const CloudEvaluation& evaluation) {
+  std::vector<double> known;
+  std::vector<double> novel;
+  for (const CloudAnswer& said : evaluation.answers) {
+    if (said.truth == truth || !said.has_points) continue;
+    (is_novel[said.truth] ? novel : known).push_back(said.margin);
+  }
+  if (known.empty() || novel.empty()) {
+    throw Error(
+        {.kind = Error::Kind::kUsage,
+         .reason = fmt::format("rejection = calibrated: without \"{}\" no {} object is left",
+                               evaluation.truths[truth],
+                               known.empty() ? "known" : "novel"),
+         .remedy = "ask about two of each kind at least; [association] has "
+                   "NAME = \"none of these\" for novel ones"});
+  }
+  return svm::CalibrateRejection(known, novel).threshold;
+}
+
+std::vector<double> Thresholds(const ViewStudy& study,
+                               ClassRejection rejection,
+                               const CloudEvaluation& evaluation) {
+  std::vector<double> thresholds(evaluation.truths.size(),
+                                 -std::numeric_limits<double>::infinity());
+  if (rejection == ClassRejection::kNone) return thresholds;
+  const std::vector<bool> is_novel = NovelOnes(study, evaluation);
+  for (std::size_t truth = 0; truth < thresholds.size(); ++truth) {
+    thresholds[truth] = ThresholdOf(truth, is_novel, evaluation);
+  }
+  return thresholds;
+}
+
+std::vector<JudgedAnswer> JudgedOnes(const CloudEvaluation& evaluation) {
+  std::vector<JudgedAnswer> judged;
+  for (const CloudAnswer& said : evaluation.answers) {
+    if (said.has_points) judged.push_back({.doubt = -said.margin, .is_right = said.is_right});
+  }
+  return judged;
 }
 
 // The model as a robot would have it.
@@ -97,6 +162,22 @@ CountsAs CountsAsOf(const ViewStudy& study) {
   return counts_as;
 }
 
+void RequireTest(const ViewCell& cell, const datasets::ViewSet* test) {
+  if (test == nullptr && cell.settings.rejection != ClassRejection::kNone) {
+    throw Error(
+        {.kind = Error::Kind::kUsage,
+         .reason = "rejection is calibrated on other objects, and there is no [data.test]"});
+  }
+}
+
+void TakeAnswers(const ViewStudy& study,
+                 const ViewCell& cell,
+                 const CloudEvaluation& evaluation,
+                 ViewCellResult& result) {
+  result.answers = CountsOf(evaluation, Thresholds(study, cell.settings.rejection, evaluation));
+  result.rejection = RejectionCurve(JudgedOnes(evaluation));
+}
+
 }  // namespace
 
 ViewCellResult TellClasses(const ViewStudy& study,
@@ -105,6 +186,7 @@ ViewCellResult TellClasses(const ViewStudy& study,
                            const datasets::ViewSet* test,
                            int num_threads,
                            const Progress& progress) {
+  RequireTest(cell, test);
   ObjectClassOptions options = cell.settings.classes;
   options.num_folds = test == nullptr ? kLeaveOneOut : 0;
   options.svm.num_threads = num_threads;
@@ -119,10 +201,14 @@ ViewCellResult TellClasses(const ViewStudy& study,
                                             .outlier_step = options.outlier_step};
   const datasets::MaskedCloud example = datasets::ReadObjectCloud(learnt, 0, clouds);
   const LoadedModel model = Load(training, example);
-  result.answers =
-      test == nullptr
-          ? CountsOf(learnt, training.predicted)
-          : CountsOf(EvaluateClouds(model.get(), *test, clouds, CountsAsOf(study), progress));
+  if (test == nullptr) {
+    result.answers = CountsOf(learnt, training.predicted);
+  } else {
+    TakeAnswers(study,
+                cell,
+                EvaluateClouds(model.get(), *test, clouds, CountsAsOf(study), progress),
+                result);
+  }
   result.answers.is_right = RightAnswers(study, result.answers);
   result.times.push_back({"classify_ms", ClassifyMs(model.get(), example)});
   for (std::size_t row = 0; row < result.answers.rows.size(); ++row) {

@@ -119,6 +119,11 @@ constexpr std::array kKeys = {
         [](const Setting& setting, ViewSettings& settings) {
           settings.classes.svm.standardize = ParseSwitch(setting);
         }},
+    Key{"rejection",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.rejection =
+              ParseWord(setting, {ClassRejection::kNone, ClassRejection::kCalibrated});
+        }},
     Key{"moments",
         [](const Setting& setting, ViewSettings& settings) {
           settings.rotation.moments = ParseWord(
@@ -174,6 +179,10 @@ constexpr auto kKeyNames = [] {
 }();
 
 }  // namespace
+
+std::string_view NameOf(ClassRejection rejection) noexcept {
+  return rejection == ClassRejection::kNone ? "none" : "calibrated";
+}
 
 std::string_view NameOf(HeldOutPart part) noexcept {
   return part == HeldOutPart::kDemonstration ? "demonstration" : "view";

@@ -22,6 +22,16 @@ enum class HeldOutPart : std::uint8_t {
 };
 [[nodiscard]] std::string_view NameOf(HeldOutPart part) noexcept;
 
+/// Which answers of layer 1 are taken back: "none of these".
+enum class ClassRejection : std::uint8_t {
+  kNone,
+  /// Those whose margin is below the threshold that svm::CalibrateRejection finds on the views of
+  /// all other classes asked about, novel those for which "none of these" is right: no class is
+  /// judged by a threshold that it helped to set.
+  kCalibrated,
+};
+[[nodiscard]] std::string_view NameOf(ClassRejection rejection) noexcept;
+
 /// Layer 3, and the plans that end with it.
 struct GraspSettings {
   std::size_t num_neighbours = 1;  ///< demonstrations averaged
@@ -36,6 +46,7 @@ struct GraspSettings {
 /// it finds the most similar view and the nearest demonstrations.
 struct ViewSettings {
   ObjectClassOptions classes = {};
+  ClassRejection rejection = ClassRejection::kNone;
   features::RotationRule rotation = {};
   GraspSettings grasps = {};
   std::size_t num_classes = 0;  ///< the first ones alone; 0: all

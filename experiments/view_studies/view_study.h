@@ -56,8 +56,8 @@ struct ViewStudy {
   /// None: each view of `train` in turn is left out and asked about.
   std::optional<ViewSource> test = {};
   std::optional<ViewSource> demonstrations = {};  ///< demonstration set, of kGraspPlan
-  /// Of a class of `test` the classes of `train` that are right for it; one that is not named is
-  /// right as itself.
+  /// Of a class of `test` the classes of `train` that are right for it, or kNoneOfThese; one that
+  /// is not named is right as itself.
   std::map<std::string, std::vector<std::string>> associations = {};
   std::vector<Setting> settings = {};  ///< of all cells, before their own
   std::vector<Method> methods = {};    ///< at least one

@@ -78,6 +78,23 @@ TEST_F(EvaluateCloudsTest, AnUnknownClassIsAnErrorUnlessItCountsAsOneOrSeveral) 
       HasSubstr("the class 'cube'"));
 }
 
+TEST_F(EvaluateCloudsTest, TellsEachAnswerAndWhetherNoneWasRight) {
+  datasets::ViewSet set = WriteObjectViews(folder_ / "test", {"ball"}, 2, 2);
+  const CloudEvaluation known = EvaluateClouds(model_.get(), set, {});
+  ASSERT_EQ(known.answers.size(), 2U);
+  for (const CloudAnswer& said : known.answers) {
+    EXPECT_EQ(said.answer, 0U);
+    EXPECT_TRUE(said.has_points);
+    EXPECT_TRUE(said.is_right);
+    EXPECT_GT(said.margin, 0.0);
+  }
+  for (datasets::ObjectView& view : set.items) view.object_class = "orange";
+  const CloudEvaluation novel =
+      EvaluateClouds(model_.get(), set, {}, {{"orange", std::string(kNoneOfThese)}});
+  EXPECT_EQ(novel.num_correct, 0U);
+  EXPECT_FALSE(novel.answers[0].is_right);
+}
+
 TEST_F(EvaluateCloudsTest, AViewWithTooFewPointsIsNoneOfTheClasses) {
   const datasets::ViewSet set = WriteObjectViews(folder_ / "test", {"ball"}, 2, 2);
   datasets::OrganisedCloud empty = datasets::ReadPcd(set.root / set.items[0].cloud);
@@ -88,6 +105,8 @@ TEST_F(EvaluateCloudsTest, AViewWithTooFewPointsIsNoneOfTheClasses) {
   const CloudEvaluation evaluation = EvaluateClouds(model_.get(), set, {});
   EXPECT_THAT(evaluation.confusion, ElementsAre(ElementsAre(1, 0, 0, 1)));
   EXPECT_EQ(evaluation.num_rejected, 1U);
+  EXPECT_FALSE(evaluation.answers[0].has_points);
+  EXPECT_EQ(EvaluateClouds(model_.get(), set, {}, {{"ball", "none of these"}}).num_correct, 1U);
 }
 
 TEST_F(EvaluateCloudsTest, OptionsComeFromTheModel) {

@@ -73,6 +73,43 @@ TEST(TellClasses, CanBeAskedForFewerClasses) {
                         HasSubstr("num_classes is 5, and there are 4 classes"));
 }
 
+// The first two classes are learnt, and all four asked about: cans and drills are none of them.
+TEST(TellClasses, RejectsByWhatOtherObjectsTell) {
+  ViewStudy study;
+  study.associations["coffee_can"] = {"none of these"};
+  study.associations["drill"] = {"none of these"};
+  const ViewCell all = CellOf({{"num_classes", "2"}, {"C", "100"}});
+  const ViewCellResult kept = TellClasses(study, all, SmallTurntable(), &SmallTurntable(), 1, {});
+  EXPECT_EQ(kept.groups.back().num_right, 12U) << "what was learnt, and nothing else";
+  ASSERT_FALSE(kept.rejection.empty());
+  EXPECT_EQ(kept.rejection.back().num_kept, 24U);
+  EXPECT_EQ(kept.rejection.back().num_right, 12U);
+  const ViewCellResult result =
+      TellClasses(study,
+                  CellOf({{"num_classes", "2"}, {"C", "100"}, {"rejection", "calibrated"}}),
+                  SmallTurntable(),
+                  &SmallTurntable(),
+                  1,
+                  {});
+  EXPECT_EQ(result.answers.columns.back(), "none of these");
+  EXPECT_GT(result.groups.back().num_right, 16U);
+  std::size_t num_novel_rejected = 0;
+  for (std::size_t row = 2; row < 4; ++row) num_novel_rejected += result.answers.counts[row].back();
+  EXPECT_GT(num_novel_rejected, 6U);
+  EXPECT_EQ(result.rejection, kept.rejection);
+}
+
+TEST(TellClasses, RefusesToCalibrateOnNothing) {
+  const ViewCell cell = CellOf({{"rejection", "calibrated"}});
+  EXPECT_THROWS_MESSAGE(static_cast<void>(TellClasses({}, cell, SmallTurntable(), nullptr, 1, {})),
+                        Error,
+                        HasSubstr("there is no [data.test]"));
+  EXPECT_THROWS_MESSAGE(
+      static_cast<void>(TellClasses({}, cell, SmallTurntable(), &SmallTurntable(), 1, {})),
+      Error,
+      HasSubstr("without \"water_bottle\" no novel object is left"));
+}
+
 TEST(TellClasses, RefusesAnAssociationWithNoClass) {
   EXPECT_THROWS_MESSAGE(
       static_cast<void>(

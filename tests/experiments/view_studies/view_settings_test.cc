@@ -35,6 +35,7 @@ TEST(ViewSettings, EveryKeyIsTaken) {
                                          {"C", "10"},
                                          {"scheme", "one-against-all"},
                                          {"standardize", "yes"},
+                                         {"rejection", "calibrated"},
                                          {"moments", "printed"},
                                          {"candidates", "6"},
                                          {"angle_weight", "0"},
@@ -73,7 +74,8 @@ TEST(ViewSettings, EveryKeyIsTaken) {
   EXPECT_EQ(settings.grasps.max_attempts, 3);
   EXPECT_EQ(settings.grasps.robot, "arm.toml");
   EXPECT_EQ(settings.grasps.grasp_points, "p.safetensors");
-  EXPECT_EQ(ViewSettingKeys().size(), 24U) << "a new key is tried here";
+  EXPECT_EQ(settings.rejection, ClassRejection::kCalibrated);
+  EXPECT_EQ(ViewSettingKeys().size(), 25U) << "a new key is tried here";
 }
 
 TEST(ViewSettings, RefuseWhatDoesNotFit) {
@@ -88,6 +90,7 @@ TEST(ViewSettings, RefuseWhatDoesNotFit) {
       {{"scheme", "all"}, "one-against-one or one-against-all"},
       {{"candidates", "65"}, "a number from 0 to 64"},
       {{"neighbours", "33"}, "a number from 1 to 32"},
+      {{"rejection", "some"}, "it must be none, calibrated"},
       {{"held_out", "class"}, "it must be demonstration, view"},
       {{"colour", "red"}, "\"colour\" is no setting; there are: descriptor, "},
   };
