@@ -44,11 +44,10 @@ using perception::IsMeasured;
 
 /// Reads a PCD file as the cloud of a picture, whatever the file's name: organised, of the
 /// picture's size, or indexed: with a field `index`, row · width + column of the pixel that a point
-/// belongs to, which holds for an organised cloud too. Pixels that no point names are NaN: all, of a
-/// cloud without points. Coordinates are multiplied by `unit_m`;
-/// nothing: the unit of the header (PcdHeader.unit_m). Throws Error with the path as ReadPcd does,
-/// and: another size, an unorganised cloud without `index`, an index that is no pixel of the
-/// picture, or twice there.
+/// belongs to, which holds for an organised cloud too. Pixels that no point names are NaN: all, of
+/// a cloud without points. Coordinates are multiplied by `unit_m`; nothing: the unit of the header
+/// (PcdHeader.unit_m). Throws Error with the path as ReadPcd does, and: another size, an
+/// unorganised cloud without `index`, an index that is no pixel of the picture, or twice there.
 [[nodiscard]] OrganisedCloud ReadCloudOfPicture(const std::filesystem::path& path,
                                                 const PixelSize& picture_size,
                                                 std::optional<float> unit_m = std::nullopt);
