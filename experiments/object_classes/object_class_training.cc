@@ -194,8 +194,9 @@ void ObjectClassOptions::Validate() const {
                 descriptor.grid_size,
                 "from 1 to 128");
   if (!descriptor.FrameFits()) {
-    throw Error({.kind = Error::Kind::kUsage,
-                 .reason = "the descriptor vfh needs the frame camera: it asks where the camera is"});
+    throw Error(
+        {.kind = Error::Kind::kUsage,
+         .reason = "the descriptor vfh needs the frame camera: it asks where the camera is"});
   }
   RequireOption(num_folds == kLeaveOneOut || num_folds == 0 || num_folds >= 2,
                 "ObjectClassOptions.num_folds",
