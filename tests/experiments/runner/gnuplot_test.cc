@@ -34,10 +34,10 @@ TEST(GnuplotNumber, WritesSixDigitsAndNoNumber) {
   EXPECT_EQ(GnuplotNumber(kNaN), "NaN");
 }
 
-TEST(GnuplotColour, TellsSixSeriesApart) {
+TEST(GnuplotColour, TellsEightSeriesApart) {
   EXPECT_EQ(GnuplotColour(0), "\"#14766f\"");
-  EXPECT_NE(GnuplotColour(5), GnuplotColour(0));
-  EXPECT_EQ(GnuplotColour(6), GnuplotColour(0));
+  EXPECT_NE(GnuplotColour(7), GnuplotColour(0));
+  EXPECT_EQ(GnuplotColour(8), GnuplotColour(0));
 }
 
 TEST(RunGnuplot, TellsWhetherItWorked) {
