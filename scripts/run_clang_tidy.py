@@ -5,9 +5,9 @@
 
     scripts/run_clang_tidy.py [--build build/dev] [--jobs 2] [--all | --base COMMIT]
 
-Looks at every source that differs from COMMIT, or includes a header that does. Without --base:
-where HEAD left origin/main, else twenty commits back, else everything. Who changes .clang-tidy runs
-it with --all, which also asks for the checks that are slow. A source that passed before with the
+Looks at every source that differs from COMMIT, and at every header that does through one source that
+includes it. Without --base: where HEAD left origin/main, else twenty commits back, else everything.
+Who changes .clang-tidy runs it with --all, which also asks for the checks that are slow. A source that passed before with the
 same text, headers, compile command and checks is not looked at again, in any clone: what passed is
 remembered beside ccache's files, in ~/.cache/handcraft. Exit code 1 when there is a finding.
 """
@@ -82,6 +82,18 @@ def with_own_headers(source: str) -> List[str]:
     return sorted(seen)
 
 
+def touched_by(changed: Set[str], files_of: Dict[str, List[str]]) -> Set[str]:
+    """The changed sources; for each changed header that none of them includes one that does: the
+    source of its name, else the one that includes the fewest."""
+    chosen = changed & set(files_of)
+    for header in sorted(name for name in changed if name.endswith(".h")):
+        users = [source for source, files in files_of.items() if header in files]
+        if users and not chosen & set(users):
+            chosen.add(min(users, key=lambda source: (source[:-3] != header[:-2],
+                                                      len(files_of[source]), source)))
+    return chosen
+
+
 def key_of(files: List[str], command: str, tidy: str) -> str:
     """Changes whenever the answer of clang-tidy could; the same in every clone.
 
@@ -130,13 +142,15 @@ def main() -> int:
     version = subprocess.run(["clang-tidy", "--version"], check=True, capture_output=True, text=True)
 
     cache = open_cache(build)
+    commands = compile_commands(build)
+    files_of = {source: with_own_headers(source) for source in commands}
+    wanted = set(commands) if changed is None else touched_by(changed, files_of)
     stamps, waiting = {}, []
-    for source, command in sorted(compile_commands(build).items()):
-        files = with_own_headers(source)
-        stamps[source] = cache / key_of(files, command, version.stdout + checks)
+    for source, command in sorted(commands.items()):
+        stamps[source] = cache / key_of(files_of[source], command, version.stdout + checks)
         if stamps[source].exists():
             stamps[source].touch()
-        elif changed is None or changed & set(files):
+        elif source in wanted:
             waiting.append(source)
     print(f"clang-tidy: {len(waiting)} of {len(stamps)} sources to look at", flush=True)
 

@@ -35,15 +35,18 @@ class RunClangTidy(unittest.TestCase):
         self.write("a.h", "")
         self.write("uses_a.cc", '#include "lib/a.h"\n')
         self.write("alone.cc", "\n")
-        (self.root / "build/dev/compile_commands.json").write_text(json.dumps(
-            [{"directory": str(self.root / "build/dev"), "file": str(self.root / "lib" / name),
-              "command": "c++"} for name in ("uses_a.cc", "alone.cc")]))
+        self.compiles("uses_a.cc", "alone.cc")
         self.git("init", "--quiet")
         self.git("add", ".")
         self.git("-c", "user.name=a", "-c", "user.email=a@b", "commit", "--quiet", "-m", "Begin")
 
     def tearDown(self):
         self.temporary.cleanup()
+
+    def compiles(self, *names):
+        (self.root / "build/dev/compile_commands.json").write_text(json.dumps(
+            [{"directory": str(self.root / "build/dev"), "file": str(self.root / "lib" / name),
+              "command": "c++"} for name in names]))
 
     def git(self, *arguments):
         subprocess.run(["git", "-C", self.root, *arguments], check=True)
@@ -102,6 +105,17 @@ class RunClangTidy(unittest.TestCase):
         self.run_script()
         self.write("a.h", "fault\n")
         self.assertEqual(self.run_script(), (1, ["uses_a.cc"]))
+
+    def test_a_changed_header_is_looked_at_through_one_source(self):
+        for name in ("a.cc", "also_uses_a.cc"):
+            self.write(name, '#include "lib/a.h"\n')
+        self.compiles("also_uses_a.cc", "uses_a.cc", "a.cc")
+        self.git("add", ".")
+        self.git("-c", "user.name=a", "-c", "user.email=a@b", "commit", "--quiet", "-m", "More")
+        self.write("a.h", "// changed\n")
+        self.assertEqual(self.run_script("--base", "HEAD"), (0, ["a.cc"]))
+        self.write("uses_a.cc", '#include "lib/a.h"\n\n')
+        self.assertEqual(self.run_script("--base", "HEAD"), (0, ["uses_a.cc"]))
 
     def test_only_what_differs_from_the_base(self):
         self.assertEqual(self.run_script("--base", "HEAD"), (0, []))
