@@ -143,7 +143,9 @@ PixelCurves CurvesFrom(const Json& json) {
 }
 
 Json ToJson(const CellResult& result) {
-  Json json = {{"cell", result.id}, {"termination", result.termination}};
+  Json json = {{"cell", result.id},
+               {"model_sha256", result.model_sha256},
+               {"termination", result.termination}};
   VisitTrainingColumns(result, WriteInto(json));
   VisitTimeColumns(result, WriteInto(json));
   json["groups"] = Json::array();
@@ -170,7 +172,9 @@ Json ToJson(const CellResult& result) {
 }
 
 CellResult FromJson(const Json& json) {
-  CellResult result{.id = json.at("cell"), .termination = json.at("termination")};
+  CellResult result{.id = json.at("cell"),
+                    .model_sha256 = json.at("model_sha256"),
+                    .termination = json.at("termination")};
   VisitTrainingColumns(result, ReadFrom(json));
   VisitTimeColumns(result, ReadFrom(json));
   for (const Json& entry : json.at("groups")) {

@@ -31,6 +31,7 @@ struct ImageFigures {
 /// Processor-independent results of a cell, and beside them its times.
 struct CellResult {
   std::string id = {};
+  std::string model_sha256 = {};  ///< of the cell's model file
   std::size_t num_training_images = 0;
   std::size_t num_samples = 0;
   std::size_t num_features = 0;

@@ -126,6 +126,12 @@ constexpr auto kKeyNames = [] {
 
 std::span<const std::string_view> SettingKeys() { return kKeyNames; }
 
+std::optional<Classifier> OnlyReader(std::string_view key) {
+  if (key == "ridge") return Classifier::kLogistic;
+  if (key == "shrinkage" || key == "prior") return Classifier::kLda;
+  return std::nullopt;
+}
+
 void ApplySetting(const Setting& setting, CellSettings& settings) {
   ApplyByKey(kKeys, kKeyNames, setting, settings);
 }

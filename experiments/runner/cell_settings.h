@@ -50,6 +50,9 @@ struct CellSettings {
 /// The keys of settings, in the order in which cells are told apart by them.
 [[nodiscard]] std::span<const std::string_view> SettingKeys();
 
+/// The classifier that alone reads a setting; none when both do.
+[[nodiscard]] std::optional<Classifier> OnlyReader(std::string_view key);
+
 /// Reads one setting into `settings`. Throws Error(kUsage) that names key, value and rule for a key
 /// that is none and a value that does not fit it.
 void ApplySetting(const Setting& setting, CellSettings& settings);

@@ -20,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kInputs = "inputs";
+constexpr const char* kCells = "cells";  // begun when all inputs are pinned
 
 // The first lines in which two texts differ, "(nothing)" past an end.
 std::pair<std::string, std::string> FirstDifference(std::string_view before, std::string_view now) {
@@ -61,6 +62,11 @@ PinnedInputs::PinnedInputs(fs::path folder) : folder_(std::move(folder)) {
 void PinnedInputs::Pin(std::string_view name, std::string_view text) const {
   const fs::path file = folder_ / kInputs / name;
   if (!Exists(file)) {
+    if (Exists(folder_ / kCells)) {
+      throw Error({.path = file.string(),
+                   .reason = "is missing, and what the finished cells were made of is not known",
+                   .remedy = "give a new folder"});
+    }
     WriteFileAtomically(file, text);
     return;
   }

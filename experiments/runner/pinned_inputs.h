@@ -16,7 +16,8 @@ class PinnedInputs {
   explicit PinnedInputs(std::filesystem::path folder);
 
   /// Writes inputs/NAME, or compares with what it holds. Throws Error that names input and first
-  /// line that differ.
+  /// line that differ, and when the input is missing though there are cells: all inputs are pinned
+  /// before the folder `cells` is made.
   void Pin(std::string_view name, std::string_view text) const;
 
  private:

@@ -60,6 +60,31 @@ constexpr const char* kGoodCalledGood = "good, called good";
 
 }  // namespace
 
+ReportTable PixelFiguresTable(const StudyRun& run, const StudySummary& summary) {
+  ReportTable table{.head = {"method",
+                             "features",
+                             "samples",
+                             "AUC",
+                             "average precision",
+                             "accuracy at 0.5",
+                             "log-loss",
+                             "Brier score"}};
+  for (const SeriesSummary& series : summary.series) {
+    const CellResult& first = run.results[series.cells.front()];
+    const PooledFigures& figures = series.by_class.back().figures;
+    table.rows.push_back(
+        {series.label,
+         std::to_string(first.num_features),
+         std::to_string(first.num_samples),
+         DecimalEstimateText(series.auc, 3),
+         DecimalEstimateText(series.average_precision, 3),
+         PercentText(figures.accuracy.value) + " " + PercentIntervalText(figures.accuracy),
+         DecimalEstimateText(figures.log_loss, 4),
+         DecimalEstimateText(figures.brier, 4)});
+  }
+  return table;
+}
+
 ReportTable ConfusionCountsTable(const StudySummary& summary) {
   const EvaluationOptions defaults;  // a study does not change these thresholds
   ReportTable table{

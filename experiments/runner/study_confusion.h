@@ -8,6 +8,10 @@
 
 namespace handcraft::experiments {
 
+/// What each method makes of labelled pixels, all pictures and repetitions together, with 95 %
+/// intervals over images; features and samples of its first cell.
+[[nodiscard]] ReportTable PixelFiguresTable(const StudyRun& run, const StudySummary& summary);
+
 /// The confusion matrices over labelled pixels of all pictures and repetitions, at both thresholds:
 /// counts, and their share of good or of bad pixels with its 95 % interval over images.
 [[nodiscard]] ReportTable ConfusionCountsTable(const StudySummary& summary);

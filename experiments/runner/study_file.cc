@@ -96,6 +96,28 @@ std::optional<Claim> ParseClaim(const TomlTable& top) {
   return Claim{table.Text("source"), table.Number("worst_loss_points", 0.0, 100.0)};
 }
 
+// A setting of a method or of the grid that a method's classifier does not read would pass for one
+// that changes nothing, and multiply equal cells.
+void RequireSettingsAreRead(const TomlTable& top, const Study& study) {
+  const auto varies = [](const Factor& factor) { return factor.key == "classifier"; };
+  if (std::any_of(study.factors.begin(), study.factors.end(), varies)) return;
+  for (const Method& method : study.methods) {
+    CellSettings settings;
+    for (const auto* list : {&study.settings, &method.settings}) {
+      for (const Setting& setting : *list) ApplySetting(setting, settings);
+    }
+    const auto require = [&](const std::string& key, std::string_view table) {
+      const std::optional<Classifier> reader = OnlyReader(key);
+      if (!reader || *reader == settings.classifier) return;
+      top.Fail(top.Node(table),
+               fmt::format("{} is not read by the classifier of method \"{}\"", key, method.name),
+               "give it to the methods that read it");
+    };
+    for (const Setting& setting : method.settings) require(setting.key, "method");
+    for (const Factor& factor : study.factors) require(factor.key, "grid");
+  }
+}
+
 }  // namespace
 
 Study ReadStudy(const std::filesystem::path& file, StudySize size) {
@@ -133,6 +155,7 @@ Study ParseStudy(std::string_view text, const std::string& source, StudySize siz
   study.settings = ParseStudySettings(top, size, Rules());
   study.methods = ParseMethods(top, size, Rules());
   study.factors = ParseGrid(top, size, Rules(), study.methods);
+  RequireSettingsAreRead(top, study);
   study.baseline = ParseBaseline(top, study);
   study.claim = ParseClaim(top);
   return study;

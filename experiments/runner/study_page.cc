@@ -72,8 +72,10 @@ std::string ByClassText(const StudySummary& summary) {
 
 std::string PointsCell(const Estimate& difference) {
   if (std::isnan(difference.value)) return "<td class=\"number\">–</td>";
+  const std::string value = fmt::format("{:+.2f}", 100.0 * difference.value);
+  if (std::isnan(difference.low)) return NumberCell(value, "", std::nan(""));
   return NumberCell(
-      fmt::format("{:+.2f}", 100.0 * difference.value),
+      value,
       fmt::format("[{:+.2f}, {:+.2f}]", 100.0 * difference.low, 100.0 * difference.high),
       std::nan(""));
 }
@@ -111,7 +113,8 @@ std::string PixelsText(const StudyRun& run, const StudySummary& summary) {
   std::string text =
       "<h2>Labelled pixels</h2>\n<p class=\"note\">As many good as bad in each image. Areas and "
       "average precision with 95 % intervals over images, means over repetitions; confusion "
-      "matrices of all repetitions together, curves and reliability of the first.</p>\n";
+      "matrices of all repetitions together, curves and reliability of the first.</p>\n" +
+      HtmlText(PixelFiguresTable(run, summary));
   for (const SeriesSummary& series : summary.series) {
     const PooledFigures& figures = series.by_class.back().figures;
     text += fmt::format("<h2>{}</h2>\n<div class=\"plots\">\n{}</div>\n",

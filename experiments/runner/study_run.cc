@@ -4,6 +4,7 @@
 #include "experiments/runner/study_run.h"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -19,6 +20,7 @@
 #include "lib/core/file.h"
 #include "lib/core/option_rules.h"
 #include "lib/core/path_kind.h"
+#include "lib/core/sha256.h"
 #include "lib/runtime/handcraft_runtime.h"
 
 namespace handcraft::experiments {
@@ -51,7 +53,9 @@ CellResult WorkOut(const Study& study,
     };
   }
   const GraspPointEvaluation evaluation = EvaluateGraspPoints(model.get(), divided.test, options);
-  return MakeCellResult(cell.id, training, evaluation, divided.test);
+  CellResult result = MakeCellResult(cell.id, training, evaluation, divided.test);
+  result.model_sha256 = Sha256Hex(training.model);
+  return result;
 }
 
 // Before anything is made, and again when the pictures are there.
@@ -105,11 +109,24 @@ std::optional<CellResult> ReadFinished(const fs::path& out,
   if (!Exists(ResultFileOf(out, cell))) return std::nullopt;
   try {
     CellResult result = ReadCellResult(ResultFileOf(out, cell), cell.id);
-    static_cast<void>(LoadModel(ModelFileOf(out, cell)));
-    return result;
+    const fs::path model = ModelFileOf(out, cell);
+    if (Sha256Hex(ReadFile(model)) == result.model_sha256) return result;
+    throw Error(
+        {.path = model.string(), .reason = "is not the model that the cell was scored with"});
   } catch (const Error& error) {
     redone.push_back(fmt::format("{} is worked out again: {}", cell.id, error.what()));
     return std::nullopt;
+  }
+}
+
+// Calls `work` and names the cell in an Error of it.
+void NamingCell(const Cell& cell, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    Error::Details details = error.details();
+    details.reason = fmt::format("cell {}: {}", cell.id, details.reason);
+    throw Error(std::move(details));
   }
 }
 
@@ -123,7 +140,9 @@ void WorkOutMissing(const std::vector<std::size_t>& missing,
       missing.size(), at_once, options.progress, "cells", [&](std::size_t k) {
         const Cell& cell = run.cells[missing[k]];
         CellResult& result = run.results[missing[k]];
-        result = WorkOut(run.study, run.data, cell, ModelFileOf(options.out, cell), threads_each);
+        NamingCell(cell, [&] {
+          result = WorkOut(run.study, run.data, cell, ModelFileOf(options.out, cell), threads_each);
+        });
         WriteCellResult(ResultFileOf(options.out, cell), result);
       });
 }

@@ -43,20 +43,20 @@ std::string ShareText(const Estimate& estimate) {
   return fmt::format("{} {}", PercentText(estimate.value), PercentIntervalText(estimate));
 }
 
-// A difference of shares, in points.
-std::string PointsText(const Estimate& difference) {
+// A difference with its sign, and its interval where there is one.
+std::string SignedText(const Estimate& difference, int decimals, double scale = 1.0) {
   if (std::isnan(difference.value)) return "–";
-  return fmt::format("{:+.2f} [{:+.2f}, {:+.2f}]",
-                     100.0 * difference.value,
-                     100.0 * difference.low,
-                     100.0 * difference.high);
+  std::string text = fmt::format("{:+.{}f}", scale * difference.value, decimals);
+  if (std::isnan(difference.low)) return text;
+  return text + fmt::format(" [{:+.{}f}, {:+.{}f}]",
+                            scale * difference.low,
+                            decimals,
+                            scale * difference.high,
+                            decimals);
 }
 
-std::string SignedText(const Estimate& difference) {
-  if (std::isnan(difference.value)) return "–";
-  return fmt::format(
-      "{:+.4f} [{:+.4f}, {:+.4f}]", difference.value, difference.low, difference.high);
-}
+// A difference of shares, in points.
+std::string PointsText(const Estimate& difference) { return SignedText(difference, 2, 100.0); }
 
 std::string ByClassText(const StudySummary& summary) {
   std::vector<std::string> head = {"class", "images"};
@@ -89,32 +89,8 @@ std::string DifferencesText(const StudySummary& summary) {
                  PointsText(difference->best_pixel_accuracy_with_both),
                  fmt::format("{} of {}", difference->num_images_with_both, difference->num_images),
                  PointsText(difference->accuracy),
-                 SignedText(difference->log_loss),
-                 SignedText(difference->brier)});
-  }
-  return text;
-}
-
-std::string ClassifierText(const StudyRun& run, const StudySummary& summary) {
-  std::string text = Head({"method",
-                           "features",
-                           "samples",
-                           "AUC",
-                           "average precision",
-                           "accuracy at 0.5",
-                           "log-loss",
-                           "Brier score"});
-  for (const SeriesSummary& series : summary.series) {
-    const CellResult& first = run.results[series.cells.front()];
-    const PooledFigures& figures = series.by_class.back().figures;
-    text += Row({series.label,
-                 std::to_string(first.num_features),
-                 std::to_string(first.num_samples),
-                 DecimalEstimateText(series.auc, 3),
-                 DecimalEstimateText(series.average_precision, 3),
-                 ShareText(figures.accuracy),
-                 DecimalEstimateText(figures.log_loss, 4),
-                 DecimalEstimateText(figures.brier, 4)});
+                 SignedText(difference->log_loss, 4),
+                 SignedText(difference->brier, 4)});
   }
   return text;
 }
@@ -137,23 +113,24 @@ std::string SearchSpaceText(const StudySummary& summary) {
          Head({"method", "left after", "pixels", "time [ms]"}) + rows;
 }
 
-std::string ConfusionText(const StudySummary& summary) {
-  const ReportTable table = ConfusionCountsTable(summary);
-  std::string text = "\nConfusion matrices: pixels, and their share of the good or bad ones.\n\n" +
-                     Head(table.head);
+std::string RowsText(const ReportTable& table) {
+  std::string text = Head(table.head);
   for (const std::vector<std::string>& row : table.rows) text += Row(row);
   return text;
+}
+
+std::string PixelsText(const StudyRun& run, const StudySummary& summary) {
+  return "\n## Labelled pixels\n\n" + RowsText(PixelFiguresTable(run, summary)) +
+         "\nConfusion matrices: pixels, and their share of the good or bad ones.\n\n" +
+         RowsText(ConfusionCountsTable(summary));
 }
 
 std::string LdaConfusionText(const StudyRun& run, const StudySummary& summary) {
   const ReportTable table = LdaConfusionTable(run, summary);
   if (table.rows.empty()) return {};
-  std::string text =
-      "\n## Confusion matrices beside the dissertation\n\nPercent of all pixels; "
-      "95 % intervals over images, the share of bad pixels taken as known.\n\n" +
-      Head(table.head);
-  for (const std::vector<std::string>& row : table.rows) text += Row(row);
-  return text;
+  return "\n## Confusion matrices beside the dissertation\n\nPercent of all pixels; "
+         "95 % intervals over images, the share of bad pixels taken as known.\n\n" +
+         RowsText(table);
 }
 
 std::string InputsText(const StudyRun& run) {
@@ -184,13 +161,19 @@ std::string DoubtText(const ClaimVerdict& verdict, double limit_points) {
 std::string VerdictText(const Study& study, const StudySummary& summary) {
   if (!study.claim || !summary.verdict) return {};
   const ClaimVerdict& verdict = *summary.verdict;
-  return fmt::format(
-      "{} says: no method is more than {} points below {}. Here the worst loss is {:.2f} points "
-      "[{:.2f}, {:.2f}] ({}): {}{}.",
+  const std::string begin = fmt::format(
+      "{} says: no method is more than {} points below {}. Here the worst loss is {:.2f} points",
       study.claim->source,
       study.claim->worst_loss_points,
       study.baseline,
-      verdict.loss_points.value,
+      verdict.loss_points.value);
+  if (std::isnan(verdict.loss_points.low)) {
+    return fmt::format(
+        "{} ({}): too few pictures to tell whether this holds.", begin, verdict.worst);
+  }
+  return fmt::format(
+      "{} [{:.2f}, {:.2f}] ({}): {}{}.",
+      begin,
       verdict.loss_points.low,
       verdict.loss_points.high,
       verdict.worst,
@@ -214,7 +197,7 @@ std::string SummaryMarkdown(const StudyRun& run, const StudySummary& summary) {
       differences);
   const std::string verdict = VerdictText(study, summary);
   if (!verdict.empty()) text += "\n" + verdict + "\n";
-  text += "\n## Labelled pixels\n\n" + ClassifierText(run, summary) + ConfusionText(summary);
+  text += PixelsText(run, summary);
   text += LdaConfusionText(run, summary) + SearchSpaceText(summary);
   if (!summary.warnings.empty()) {
     text += fmt::format("\n## Warnings\n\n- {}\n", fmt::join(summary.warnings, "\n- "));

@@ -136,6 +136,22 @@ TEST(ParseStudy, RefusesSettingsThatDoNotFitWithTheirLine) {
   EXPECT_THROWS_MESSAGE(Parse(Minimal("", "[grid]\nridge = [1, 1]")), Error, HasSubstr("twice"));
 }
 
+TEST(ParseStudy, RefusesSettingsThatAClassifierDoesNotRead) {
+  const std::string lda = "[[method]]\nname = \"b\"\nclassifier = \"lda\"\n";
+  EXPECT_NO_THROW(Parse(Minimal("") + lda + "shrinkage = \"auto\"\n"));
+  EXPECT_NO_THROW(
+      Parse(Minimal("") + "[grid]\nclassifier = [\"logistic\", \"lda\"]\nprior = [0, 0.5]\n"));
+  EXPECT_THROWS_MESSAGE(Parse(Minimal("") + "shrinkage = 0.3\n"),
+                        Error,
+                        HasSubstr("shrinkage is not read by the classifier of method \"a\""));
+  EXPECT_THROWS_MESSAGE(Parse(Minimal("") + lda + "ridge = 3\n"),
+                        Error,
+                        HasSubstr("ridge is not read by the classifier of method \"b\""));
+  EXPECT_THROWS_MESSAGE(Parse(Minimal("") + lda + "[grid]\nprior = [0, 0.5]\n"),
+                        Error,
+                        HasSubstr("prior is not read by the classifier of method \"a\""));
+}
+
 TEST(ParseStudy, RefusesAmbiguousMethods) {
   EXPECT_THROWS_MESSAGE(
       Parse(Minimal("") + "[[method]]\nname = \"a\"\n"), Error, HasSubstr("two methods"));

@@ -34,6 +34,14 @@ TEST(MakeStudyPage, HoldsTablesFiguresAndVerdict) {
                     HasSubstr("<dt>split</dt><dd>instance</dd>")));
 }
 
+TEST(MakeStudyPage, LeavesOutIntervalsThatOnePictureDoesNotHave) {
+  StudyRun run = testing::SmallRun();
+  for (CellResult& result : run.results) result.images.resize(1);
+  const std::string page = MakeStudyPage(run, SummariseStudy(run, 1), {}, {});
+  EXPECT_THAT(page, HasSubstr("log-loss"));
+  EXPECT_THAT(page, Not(HasSubstr("nan,")));
+}
+
 TEST(MakeStudyPage, ShowsWhatSearchSpaceReductionLeaves) {
   StudyRun run = testing::SmallRun();
   run.results[0].search_space = {.num_images_without_region = 3,

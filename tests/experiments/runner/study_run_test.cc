@@ -133,6 +133,29 @@ TEST_F(RunStudyTest, RefusesOtherPicturesByName) {
   EXPECT_THROWS_MESSAGE(Run("out"), Error, HasSubstr("another input \"data.train\""));
 }
 
+TEST_F(RunStudyTest, WorksOutAgainWhatHasTheModelOfAnother) {
+  const StudyRun first = Run("out");
+  const std::string results = ResultsOf("out");
+  const std::filesystem::path model = ModelFileOf(folder_ / "out", first.cells[1]);
+  const std::vector<std::uint8_t> bytes = ReadFile(model);
+  std::filesystem::copy_file(ModelFileOf(folder_ / "out", first.cells[0]),
+                             model,
+                             std::filesystem::copy_options::overwrite_existing);
+  const StudyRun again = Run("out");
+  ASSERT_EQ(again.redone.size(), 1U);
+  EXPECT_THAT(again.redone[0], HasSubstr("is not the model that the cell was scored with"));
+  EXPECT_EQ(ReadFile(model), bytes);
+  EXPECT_EQ(ResultsOf("out"), results);
+}
+
+TEST_F(RunStudyTest, RefusesAFolderWhoseInputsAreNotKnown) {
+  static_cast<void>(Run("out"));
+  std::filesystem::remove(folder_ / "out/inputs/study");
+  EXPECT_THROWS_MESSAGE(static_cast<void>(Run("out")),
+                        Error,
+                        HasSubstr("study: is missing, and what the finished cells were made of"));
+}
+
 TEST_F(RunStudyTest, WorksOutAgainWhatIsCutOffOrChangedAndSaysSo) {
   const StudyRun first = Run("out");
   EXPECT_TRUE(first.redone.empty());

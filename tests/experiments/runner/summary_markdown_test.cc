@@ -3,6 +3,8 @@
 
 #include "experiments/runner/summary_markdown.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -67,6 +69,22 @@ TEST(SummaryMarkdown, ShowsWarnings) {
   StudyRun run = testing::SmallRun();
   run.results[0].termination = "separated";
   EXPECT_THAT(TextOf(run), HasSubstr("## Warnings\n\n- laplacian,ridge=0.5,repetition=1"));
+}
+
+TEST(SummaryMarkdown, LeavesOutIntervalsThatOnePictureDoesNotHave) {
+  StudyRun run = testing::SmallRun();
+  for (CellResult& result : run.results) result.images.resize(1);
+  EXPECT_THAT(TextOf(run), AllOf(HasSubstr("## Difference to"), Not(HasSubstr("nan"))));
+}
+
+TEST(VerdictText, TellsNothingOfTooFewPictures) {
+  Study study = testing::SmallStudy("data");
+  study.claim = Claim{"here", 5.0};
+  StudySummary summary;
+  const double none = std::nan("");
+  summary.verdict = ClaimVerdict{.worst = "b", .loss_points = {2.0, none, none}, .holds = true};
+  EXPECT_THAT(VerdictText(study, summary),
+              HasSubstr("2.00 points (b): too few pictures to tell whether this holds."));
 }
 
 TEST(VerdictText, SaysWhatTheIntervalLeavesOpen) {
