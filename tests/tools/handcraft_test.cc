@@ -188,11 +188,12 @@ TEST(RunHandcraft, TakesALinkRoundInACircleForBadInput) {
   const TemporaryDirectory folder;
   std::filesystem::create_symlink("y", folder / "y");
   const std::string loop = (folder / "y").string();
-  for (const std::string& line : {"data check " + loop,
-                                  "data info " + loop,
-                                  "data preview " + loop + " --out " + loop + ".png",
-                                  "data split " + loop,
-                                  "evaluate m d --json " + loop + " --html " + loop}) {
+  for (const char* words : {"data check LOOP",
+                            "data info LOOP",
+                            "data preview LOOP --out LOOP.png",
+                            "data split LOOP",
+                            "evaluate m d --json LOOP --html LOOP"}) {
+    const std::string line = std::regex_replace(words, std::regex("LOOP"), loop);
     const Outcome outcome = RunLine(line);
     EXPECT_EQ(outcome.code, 3) << line;
     EXPECT_THAT(outcome.err,

@@ -84,6 +84,17 @@ struct Prediction {
   std::vector<hc_point> points;
 };
 
+// What to look at when there is no region.
+std::string RemedyOf(perception::SearchState state, const SearchInput& search) {
+  if (state != perception::SearchState::kNoPoints) {
+    return "look at --up, --up-angle, --table-distance and --cloud-unit, or leave the depth out";
+  }
+  if (search.right.empty()) return "give depth in which something was measured, or leave it out";
+  return "look at the order of the pair, which must be rectified, and at --camera, or leave "
+         "--right "
+         "out";
+}
+
 // The region of the picture that stands on a table. Throws Error(kNoResult) when there is none.
 perception::SearchRegion FindRegion(const SearchInput& search,
                                     const std::string& path,
@@ -94,12 +105,10 @@ perception::SearchRegion FindRegion(const SearchInput& search,
       perception::SearchRegionFinder(RegionOptions(search)).Find(image, cloud.View());
   if (matching) region.stages.insert(region.stages.begin() + 1, *matching);  // after "picture"
   if (region.HasRegion()) return region;
-  throw Error(
-      {.kind = Error::Kind::kNoResult,
-       .path = path,
-       .reason = std::string(perception::MessageOf(region.state)),
-       .remedy =
-           "look at --up, --up-angle, --table-distance and --cloud-unit, or leave the depth out"});
+  throw Error({.kind = Error::Kind::kNoResult,
+               .path = path,
+               .reason = std::string(perception::MessageOf(region.state)),
+               .remedy = RemedyOf(region.state, search)});
 }
 
 Prediction Predict(const hc_model* model, const std::string& path, const PredictOptions& options) {

@@ -27,8 +27,8 @@ TEST(RejectionCurve, OfAHandCase) {
 // Each point counts what a scan counts, and every share of a twentieth has its point.
 TEST(RejectionCurve, CountsAsAScanDoes) {
   Rng rng(1);
-  std::vector<JudgedAnswer> answers;
-  for (int i = 0; i < 1000; ++i) answers.push_back({rng.Normal(), rng.Uniform() < 0.6});
+  std::vector<JudgedAnswer> answers(1000);
+  for (JudgedAnswer& answer : answers) answer = {rng.Normal(), rng.Uniform() < 0.6};
   const std::vector<RejectionPoint> curve = RejectionCurve(answers);
   ASSERT_EQ(curve.size(), kNumRejectionPoints);
   for (std::size_t p = 0; p < curve.size(); ++p) {

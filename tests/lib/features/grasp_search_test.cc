@@ -163,8 +163,8 @@ TEST(RankGraspsAt, PassesOverNearerOnes) {
 // Against sorting all distances; more are asked for than are ranked.
 TEST(RankGraspsAt, RanksAsSortingDoes) {
   Rng rng(2);
-  std::vector<Vector3> positions;
-  for (int i = 0; i < 300; ++i) positions.push_back({rng.Normal(), rng.Normal(), rng.Normal()});
+  std::vector<Vector3> positions(300);
+  for (Vector3& position : positions) position = {rng.Normal(), rng.Normal(), rng.Normal()};
   Shown shown;
   shown.AddAngle(0.5, positions, std::vector(positions.size(), TurnAboutZ(0.0)));
   const Vector3 point = {0.1, -0.2, 0.3};
