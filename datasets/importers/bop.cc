@@ -22,6 +22,7 @@
 #include "datasets/formats/view_set.h"
 #include "datasets/importers/depth_cloud.h"
 #include "datasets/importers/label_picture.h"
+#include "datasets/importers/omissions.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
 #include "lib/core/option_rules.h"
@@ -123,8 +124,8 @@ std::pair<Eigen::Isometry3d, std::optional<double>> PlaceBase(
   return {camera_from_base.inverse(), angle_deg < 360.0 ? angle_deg : 0.0};
 }
 
-// What is seen, with the margin around it as far as the picture goes.
-PixelBox CropOf(const Image& mask, const BopView& view) {
+// What is seen, with the margin around it as far as the picture goes; nothing for an empty mask.
+std::optional<PixelBox> CropOf(const Image& mask, const BopView& view) {
   int left = mask.width(), right = -1, top = mask.height(), bottom = -1;
   for (int v = 0; v < mask.height(); ++v) {
     for (int u = 0; u < mask.width(); ++u) {
@@ -133,29 +134,27 @@ PixelBox CropOf(const Image& mask, const BopView& view) {
       top = std::min(top, v), bottom = std::max(bottom, v);
     }
   }
-  if (right < 0) {
-    throw Error({.path = view.mask.string(),
-                 .reason = "the mask is empty",
-                 .remedy = "with scene_gt_info.json, what cannot be seen is left out"});
-  }
+  if (right < 0) return std::nullopt;
   left = std::max(left - view.margin_px, 0);
   top = std::max(top - view.margin_px, 0);
   right = std::min(right + view.margin_px, mask.width() - 1);
   bottom = std::min(bottom + view.margin_px, mask.height() - 1);
-  return {.u_px = left, .v_px = top, .width = right - left + 1, .height = bottom - top + 1};
+  return PixelBox{.u_px = left, .v_px = top, .width = right - left + 1, .height = bottom - top + 1};
 }
 
+// Empty when nothing of the object is seen; mask and cloud are made of the others alone.
 Image MakeImage(const BopView& view) {
   const Image mask = ReadLabelValues(view.mask);
   const Image image = perception::ReadImage(view.image);
   RequireSameSize(
       view.mask, "the mask", {mask.width(), mask.height()}, {image.width(), image.height()});
-  return CutOut(image, CropOf(mask, view));
+  const std::optional<PixelBox> crop = CropOf(mask, view);
+  return crop ? CutOut(image, *crop) : Image();
 }
 
 Image MakeMask(const BopView& view) {
   const Image mask = ReadLabelValues(view.mask);
-  Image part = CutOut(mask, CropOf(mask, view));
+  Image part = CutOut(mask, CropOf(mask, view).value());
   for (int v = 0; v < part.height(); ++v) {
     for (int u = 0; u < part.width(); ++u) part.At(u, v) = part.At(u, v) == 0 ? kNoObject : kObject;
   }
@@ -167,23 +166,22 @@ OrganisedCloud MakeCloud(const BopView& view) {
   const BasicImage<std::uint16_t> depth = perception::ReadImage16(view.depth);
   RequireSameSize(
       view.depth, "the depth", {depth.width(), depth.height()}, {mask.width(), mask.height()});
-  const PixelBox crop = CropOf(mask, view);
+  const PixelBox crop = CropOf(mask, view).value();
   Pinhole camera = view.camera.pinhole;
   camera.cx_px -= crop.u_px;
   camera.cy_px -= crop.v_px;
   return CloudOfDepth(CutOut(depth, crop), view.camera.depth_unit_m, camera, view.base_from_camera);
 }
 
-// rgb/NNNNNN.png, .jpg or gray/NNNNNN.png …
-fs::path FindImage(const fs::path& scene, const std::string& number, const JsonValue& picture) {
-  std::error_code ignored;
+// rgb/NNNNNN.png, .jpg or gray/NNNNNN.png …; empty when there is none.
+fs::path FindImage(const fs::path& scene, const std::string& number) {
   for (const char* folder : {"rgb", "gray"}) {
     for (const char* extension : {".png", ".jpg"}) {
       fs::path image = scene / folder / (number + extension);
-      if (fs::is_regular_file(image, ignored)) return image;
+      if (HasFile(image)) return image;
     }
   }
-  picture.Fail("no picture " + (scene / "rgb" / number).string() + ".png or .jpg, nor in gray/");
+  return {};
 }
 
 // The share of each object of a picture that is seen, where the scene tells.
@@ -220,14 +218,47 @@ SourcePicture Describe(const JsonValue& object, BopView view, const std::string&
   return picture;
 }
 
+// The scenes of a source, and what is found in them.
+struct BopScenes {
+  SourceSet set = {};
+  Omissions omissions = {};
+  std::size_t num_scenes = 0;
+};
+
+// One picture of a scene.
+struct BopPicture {
+  fs::path scene;
+  fs::path relative;   // of the scene, below the source
+  std::string digits;  // its number
+  BopView view;        // what all its views have in common
+};
+
+// Adds the view of the object of this number, if its files are there.
+void AddView(const BopPicture& picture,
+             const JsonValue& object,
+             std::size_t number,
+             BopScenes& found) {
+  const std::string name = picture.digits + "_" + SixDigits(static_cast<std::int64_t>(number));
+  BopView view = picture.view;
+  view.mask = picture.scene / "mask_visib" / (name + ".png");
+  if (view.image.empty()) {
+    found.omissions.LeaveOut(picture.scene / "rgb" / (picture.digits + ".png"),
+                             "no such picture of scene_gt.json, nor a .jpg, nor in gray/");
+  } else if (!HasFile(view.mask)) {
+    found.omissions.LeaveOut(view.mask, "no such mask, of an object in scene_gt.json");
+  } else {
+    found.set.pictures.push_back(
+        Describe(object, std::move(view), (picture.relative / name).generic_string()));
+  }
+}
+
 void ListScene(const fs::path& scene,
                const fs::path& relative,
                const BopOptions& options,
-               SourceSet& set) {
+               BopScenes& found) {
   const auto cameras = ByNumber(JsonValue::ReadFile(scene / "scene_camera.json"));
   std::map<std::int64_t, JsonValue> info;
-  std::error_code ignored;
-  if (fs::is_regular_file(scene / "scene_gt_info.json", ignored)) {
+  if (HasFile(scene / "scene_gt_info.json")) {
     info = ByNumber(JsonValue::ReadFile(scene / "scene_gt_info.json"));
   }
   for (const auto& [number, picture] : ByNumber(JsonValue::ReadFile(scene / "scene_gt.json"))) {
@@ -236,22 +267,28 @@ void ListScene(const fs::path& scene,
     const std::string digits = SixDigits(number);
     const std::vector<JsonValue> objects = picture.Items();
     const std::vector<double> shares = ReadVisibleShares(info, number, objects.size());
+    BopPicture shown{.scene = scene,
+                     .relative = relative,
+                     .digits = digits,
+                     .view = {.image = FindImage(scene, digits),
+                              .mask = {},
+                              .depth = scene / "depth" / (digits + ".png"),
+                              .camera = ReadCamera(camera->second),
+                              .margin_px = options.margin_px}};
+    if (!HasFile(shown.view.depth)) shown.view.depth.clear();
     for (std::size_t i = 0; i < objects.size(); ++i) {
-      if (shares[i] < options.min_visible) continue;
-      const std::string name = digits + "_" + SixDigits(static_cast<std::int64_t>(i));
-      BopView view{.image = FindImage(scene, digits, picture),
-                   .mask = scene / "mask_visib" / (name + ".png"),
-                   .depth = scene / "depth" / (digits + ".png"),
-                   .camera = ReadCamera(camera->second),
-                   .margin_px = options.margin_px};
-      if (!fs::is_regular_file(view.mask, ignored)) {
-        objects[i].Fail("no mask " + view.mask.string());
-      }
-      if (!fs::is_regular_file(view.depth, ignored)) view.depth.clear();
-      set.pictures.push_back(
-          Describe(objects[i], std::move(view), (relative / name).generic_string()));
+      if (shares[i] >= options.min_visible) AddView(shown, objects[i], i, found);
     }
   }
+}
+
+void TellOfLack(const std::vector<SourcePicture>& views, Omissions& omissions) {
+  std::vector<fs::path> without_cloud;
+  for (const SourcePicture& view : views) {
+    if (!view.make_cloud) without_cloud.push_back(view.path);
+  }
+  omissions.GoWithoutWhatOthersHave(
+      without_cloud, views.size(), "its cloud", "no picture of the same number in depth/");
 }
 
 }  // namespace
@@ -265,21 +302,21 @@ void BopOptions::Validate() const {
 
 SourceSet ListBop(const fs::path& source, const BopOptions& options) {
   options.Validate();
-  SourceSet set;
-  std::size_t num_scenes = 0;
-  for (const fs::path& file : ListFiles(source, std::numeric_limits<int>::max())) {
-    if (file.filename() != "scene_gt.json") continue;
-    ++num_scenes;
+  BopScenes found;
+  const auto is_scene = [](const fs::path& path) { return path.filename() == "scene_gt.json"; };
+  for (const fs::path& file : ListFiles(source, std::numeric_limits<int>::max(), is_scene)) {
+    if (!is_scene(file)) continue;
+    ++found.num_scenes;
     const fs::path scene = file.parent_path();
-    ListScene(scene, scene.lexically_relative(source).lexically_normal(), options, set);
+    ListScene(scene, scene.lexically_relative(source).lexically_normal(), options, found);
   }
-  if (set.pictures.empty()) {
-    throw Error({.path = source.string(),
-                 .reason = "no object to be seen; found " + std::to_string(num_scenes) +
-                           " scenes (scene_gt.json)",
-                 .remedy = "give the folder of a scene, or one that holds some"});
-  }
-  return set;
+  TellOfLack(found.set.pictures, found.omissions);
+  found.omissions.Conclude(found.set,
+                           {.path = source.string(),
+                            .reason = "no object to be seen; found " +
+                                      std::to_string(found.num_scenes) + " scenes (scene_gt.json)",
+                            .remedy = "give the folder of a scene, or one that holds some"});
+  return std::move(found.set);
 }
 
 }  // namespace handcraft::datasets

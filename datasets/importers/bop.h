@@ -27,8 +27,9 @@ struct BopOptions {
 /// camera, so that the angle is that of the model's x axis. Where the camera looks along z (within
 /// 5°) the base frame is the model's and the angle unknown.
 ///
-/// Throws Error with the place in the file when it is not as specified, a pose is none, a mask is
-/// empty, or pictures do not fit each other.
+/// What is left out for want of a picture or a mask, and views without a cloud, stand in the notes.
+/// Throws Error with the place in the file when it is not as specified, a pose is none, or pictures
+/// do not fit each other.
 /// Source: "Format of BOP datasets", github.com/thodan/bop_toolkit, docs/bop_datasets_format.md.
 [[nodiscard]] SourceSet ListBop(const std::filesystem::path& source, const BopOptions& options);
 

@@ -20,6 +20,7 @@
 #include "datasets/formats/mask_picture.h"
 #include "datasets/importers/coco_runs.h"
 #include "datasets/importers/labelled_shapes.h"
+#include "datasets/importers/omissions.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
 #include "lib/core/path_kind.h"
@@ -147,8 +148,10 @@ void ReadAnnotations(const JsonValue& list,
   }
 }
 
-SourcePicture Describe(const fs::path& file, const fs::path& folder, CocoImage image) {
-  const fs::path name = FindNamedFile(folder, image.name, file);
+SourcePicture Describe(const fs::path& file,
+                       const fs::path& folder,
+                       const fs::path& name,
+                       CocoImage image) {
   const auto find_notes = [file, shapes = image.shapes](int width, int height) {
     return NotesOnShapes(file, width, height, shapes);
   };
@@ -182,8 +185,20 @@ SourceSet ListCoco(const fs::path& file, const CocoOptions& options) {
   options.roles.RequireAmong(names, file);
   ReadAnnotations(json["annotations"], categories, options.roles, images);
   const fs::path folder = options.images.empty() ? file.parent_path() : options.images;
+  RequireFolder(folder);
   SourceSet set;
-  for (auto& [id, image] : images) set.pictures.push_back(Describe(file, folder, std::move(image)));
+  Omissions omissions;
+  for (auto& [id, image] : images) {
+    if (const auto name = FindNamedFile(folder, image.name, file)) {
+      set.pictures.push_back(Describe(file, folder, *name, std::move(image)));
+    } else {
+      omissions.LeaveOut(folder / image.name, "no such file, which " + file.string() + " names");
+    }
+  }
+  omissions.Conclude(set,
+                     {.path = file.string(),
+                      .reason = "none of its pictures is below " + folder.string(),
+                      .remedy = "name the folder of the pictures (--images)"});
   return set;
 }
 

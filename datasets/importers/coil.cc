@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <regex>
 #include <string>
 #include <vector>
@@ -60,21 +61,33 @@ SourceSet ListArray(const fs::path& source, std::uint8_t threshold) {
   return set;
 }
 
+struct ViewName {
+  std::string object;
+  int number = 0;
+};
+
+// "objN__K.png".
+std::optional<ViewName> ParseName(const fs::path& file) {
+  static const std::regex kPattern("(obj[0-9]+)__([0-9]{1,3})");
+  const std::string stem = file.stem().string();
+  std::smatch match;
+  if (!IsNamedLikeAPicture(file) || !std::regex_match(stem, match, kPattern)) return std::nullopt;
+  return ViewName{match[1], std::stoi(match[2])};
+}
+
 // The pictures of a folder.
 SourceSet ListTree(const fs::path& source, std::uint8_t threshold) {
-  static const std::regex kPattern("(obj[0-9]+)__([0-9]{1,3})");
   SourceSet set;
   int last = 0;
-  for (const fs::path& file : ListFiles(source, std::numeric_limits<int>::max())) {
-    const std::string stem = file.stem().string();
-    std::smatch match;
-    if (!IsNamedLikeAPicture(file) || !std::regex_match(stem, match, kPattern)) continue;
-    const int number = std::stoi(match[2]);
-    last = std::max(last, number);
+  const auto is_meant = [](const fs::path& path) { return ParseName(path).has_value(); };
+  for (const fs::path& file : ListFiles(source, std::numeric_limits<int>::max(), is_meant)) {
+    const auto name = ParseName(file);
+    if (!name) continue;
+    last = std::max(last, name->number);
     SourcePicture& picture = set.pictures.emplace_back(
-        Describe(match[1], file.lexically_relative(source).generic_string()));
+        Describe(name->object, file.lexically_relative(source).generic_string()));
     picture.path = file;
-    picture.angle_deg = number;
+    picture.angle_deg = name->number;
     picture.make_mask = [file, threshold](int, int) {
       return MaskBeforeDarkness(perception::ReadImage(file), threshold);
     };

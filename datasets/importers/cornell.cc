@@ -16,10 +16,10 @@
 
 #include "datasets/formats/csv_records.h"
 #include "datasets/importers/cornell_rectangles.h"
+#include "datasets/importers/omissions.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
 #include "lib/core/option_rules.h"
-#include "lib/core/path_kind.h"
 
 namespace handcraft::datasets {
 namespace {
@@ -33,8 +33,19 @@ struct CornellPicture {
   std::vector<GraspRectangle> positive_rectangles;
 };
 
-// "pcd0123cpos.txt" → 123, "cpos.txt".
-std::optional<std::pair<int, std::string_view>> ParseName(std::string_view name) {
+// What a file of this ending is.
+struct Part {
+  std::string_view ending;
+  fs::path CornellPicture::*slot;
+};
+constexpr std::array kParts = {Part{"r.png", &CornellPicture::image},
+                               Part{"cpos.txt", &CornellPicture::positive},
+                               Part{"cpos_recovered.txt", &CornellPicture::positive},
+                               Part{"cneg.txt", &CornellPicture::negative},
+                               Part{".txt", &CornellPicture::cloud}};
+
+// "pcd0123cpos.txt" → 123 and that it holds positive rectangles.
+std::optional<std::pair<int, Part>> ParseName(std::string_view name) {
   constexpr std::size_t kDigitsBegin = 3;
   constexpr std::size_t kDigitsEnd = 7;
   if (!name.starts_with("pcd") || name.size() < kDigitsEnd) return std::nullopt;
@@ -42,7 +53,11 @@ std::optional<std::pair<int, std::string_view>> ParseName(std::string_view name)
   const char* const end = name.data() + kDigitsEnd;
   const auto result = std::from_chars(name.data() + kDigitsBegin, end, number);
   if (result.ec != std::errc() || result.ptr != end || number < 0) return std::nullopt;
-  return std::pair(number, name.substr(kDigitsEnd));
+  const auto part = std::find_if(kParts.begin(), kParts.end(), [&](const Part& candidate) {
+    return name.substr(kDigitsEnd) == candidate.ending;
+  });
+  if (part == kParts.end()) return std::nullopt;
+  return std::pair(number, *part);
 }
 
 std::string FourDigits(int number) {
@@ -59,38 +74,64 @@ void Place(fs::path& slot, const fs::path& file) {
   slot = file;
 }
 
-// Pictures with positive rectangles, by number.
-std::vector<CornellPicture> FindPictures(const fs::path& source) {
+// All files of the data, by number.
+std::map<int, CornellPicture> FindFiles(const fs::path& source) {
+  const auto parse = [](const fs::path& file) { return ParseName(file.filename().string()); };
   std::map<int, CornellPicture> by_number;
-  std::size_t num_images = 0;
-  std::size_t num_labels = 0;
-  for (const fs::path& file : ListFiles(source, 1)) {
-    const std::string name = file.filename().string();
-    const auto parsed = ParseName(name);
+  for (const fs::path& file :
+       ListFiles(source, 1, [&](const fs::path& path) { return parse(path).has_value(); })) {
+    const auto parsed = parse(file);
     if (!parsed) continue;
-    CornellPicture& picture = by_number[parsed->first];
-    picture.number = parsed->first;
-    if (parsed->second == "r.png") Place(picture.image, file), ++num_images;
-    if (parsed->second == ".txt") Place(picture.cloud, file);
-    if (parsed->second == "cneg.txt") Place(picture.negative, file);
-    if (parsed->second == "cpos.txt" || parsed->second == "cpos_recovered.txt") {
-      Place(picture.positive, file), ++num_labels;
+    const auto& [number, part] = *parsed;
+    by_number[number].number = number;
+    Place(by_number[number].*part.slot, file);
+  }
+  return by_number;
+}
+
+// How many have a file of this kind.
+std::string CountOf(const std::map<int, CornellPicture>& by_number,
+                    fs::path CornellPicture::*slot) {
+  return std::to_string(std::count_if(by_number.begin(), by_number.end(), [&](const auto& entry) {
+    return !(entry.second.*slot).empty();
+  }));
+}
+
+// Pictures with positive rectangles, in the order of their numbers.
+std::vector<CornellPicture> PicturesAmong(const std::map<int, CornellPicture>& by_number,
+                                          Omissions& omissions) {
+  std::vector<CornellPicture> pictures;
+  for (const auto& entry : by_number) {
+    CornellPicture picture = entry.second;
+    if (picture.image.empty()) {
+      const bool is_labelled = !picture.positive.empty() || !picture.negative.empty();
+      const fs::path& label = picture.positive.empty() ? picture.negative : picture.positive;
+      omissions.LeaveOut(is_labelled ? label : picture.cloud, "no pcdNNNNr.png of this number");
+    } else if (picture.positive.empty()) {
+      omissions.LeaveOut(picture.image, "no pcdNNNNcpos.txt of this number");
+    } else {
+      picture.positive_rectangles = ReadCornellRectangles(picture.positive);
+      if (picture.positive_rectangles.empty()) {
+        omissions.LeaveOut(picture.positive, kNoUsableRectangle);
+      } else {
+        pictures.push_back(std::move(picture));
+      }
     }
   }
-  std::vector<CornellPicture> pictures;
-  for (auto& [number, picture] : by_number) {
-    if (picture.image.empty() || picture.positive.empty()) continue;
-    picture.positive_rectangles = ReadCornellRectangles(picture.positive);
-    if (!picture.positive_rectangles.empty()) pictures.push_back(std::move(picture));
-  }
-  if (pictures.empty()) {
-    throw Error({.path = source.string(),
-                 .reason = "no pcdNNNNr.png with grasp rectangles in its pcdNNNNcpos.txt; found " +
-                           std::to_string(num_images) + " pictures and " +
-                           std::to_string(num_labels) + " files of rectangles",
-                 .remedy = "give the folder that holds them, or holds 01 ... 10"});
-  }
   return pictures;
+}
+
+// Those that have no such file although others do.
+void TellOfLack(const std::vector<CornellPicture>& pictures,
+                fs::path CornellPicture::*slot,
+                const std::string& part,
+                const std::string& why,
+                Omissions& omissions) {
+  std::vector<fs::path> lacking;
+  for (const CornellPicture& picture : pictures) {
+    if ((picture.*slot).empty()) lacking.push_back(picture.image);
+  }
+  omissions.GoWithoutWhatOthersHave(lacking, pictures.size(), part, why);
 }
 
 // grasp_type.csv, when there is one: picture's file name → class.
@@ -99,7 +140,7 @@ std::map<std::string, std::string> ReadClasses(const fs::path& source) {
       "large_diameter", "palmar_pinch", "precision_sphere", "precision_disk", "parallel_extension"};
   std::map<std::string, std::string> classes;
   const fs::path path = source / "grasp_type.csv";
-  if (!Exists(path)) return classes;
+  if (!HasFile(path)) return classes;
   CsvRecords records(path);
   std::vector<std::string_view> fields;
   for (bool is_header = true; records.Next(fields); is_header = false) {
@@ -165,10 +206,24 @@ void CornellOptions::Validate() const {
 SourceSet ListCornell(const fs::path& source, const CornellOptions& options) {
   options.Validate();
   SourceSet set{.pictures = {}, .split_gap = options.split_gap};
+  Omissions omissions;
   const auto classes = ReadClasses(source);
-  for (const CornellPicture& picture : FindPictures(source)) {
+  const auto by_number = FindFiles(source);
+  const std::vector<CornellPicture> pictures = PicturesAmong(by_number, omissions);
+  TellOfLack(pictures, &CornellPicture::cloud, "its cloud", "no pcdNNNN.txt", omissions);
+  TellOfLack(
+      pictures, &CornellPicture::negative, "negative rectangles", "no pcdNNNNcneg.txt", omissions);
+  for (const CornellPicture& picture : pictures) {
     set.pictures.push_back(Describe(picture, classes, options));
   }
+  omissions.Conclude(
+      set,
+      {.path = source.string(),
+       .reason = "no pcdNNNNr.png with grasp rectangles in its pcdNNNNcpos.txt; "
+                 "found " +
+                 CountOf(by_number, &CornellPicture::image) + " pictures and " +
+                 CountOf(by_number, &CornellPicture::positive) + " files of rectangles",
+       .remedy = "give the folder that holds them, or holds 01 ... 10"});
   return set;
 }
 

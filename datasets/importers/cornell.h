@@ -25,8 +25,9 @@ struct CornellOptions {
 /// Lists a Cornell tree: pcdNNNNr.png beside pcdNNNNcpos.txt / pcdNNNNcneg.txt, in one folder, in
 /// numbered folders 01…10, or as images/ + labels/*cpos_recovered.txt. The class is the grasp type
 /// where the tree has a grasp_type.csv, else "object". Clouds pcdNNNN.txt are kept (see
-/// cornell_cloud.h), and so are the rectangles. Pictures without a usable positive rectangle are
-/// left out. Throws Error that says what was expected and found.
+/// cornell_cloud.h), and so are the rectangles. What is left out, for
+/// want of a file or of a usable positive rectangle, stands in the notes. Throws Error that says
+/// what was expected and found.
 [[nodiscard]] SourceSet ListCornell(const std::filesystem::path& source,
                                     const CornellOptions& options);
 

@@ -21,6 +21,7 @@
 #include "datasets/formats/mask_picture.h"
 #include "datasets/importers/cvat_shapes.h"
 #include "datasets/importers/label_picture.h"
+#include "datasets/importers/omissions.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
@@ -116,19 +117,28 @@ Image ReadColouredMask(const fs::path& path, const std::map<Colour, std::uint8_t
   return mask;
 }
 
-// Pictures by their path without extension.
-std::map<std::string, fs::path> FindImages(const fs::path& folder) {
+std::string WithoutExtension(const fs::path& path) {
+  return fs::path(path).replace_extension().generic_string();
+}
+
+// The pictures of these names, by them: their paths without extension.
+std::map<std::string, fs::path> FindImages(const fs::path& folder,
+                                           const std::map<std::string, fs::path>& names) {
   std::map<std::string, fs::path> images;
-  std::error_code ignored;
-  if (!fs::is_directory(folder, ignored)) {
+  RequireFolder(folder);
+  if (KindOf(folder) != PathKind::kFolder) {
     throw Error({.path = folder.string(),
                  .reason = "no folder of the pictures",
                  .remedy = "export with \"Save images\", or name the folder (--images)"});
   }
-  for (const fs::path& file : ListFiles(folder, std::numeric_limits<int>::max())) {
-    if (!IsNamedLikeAPicture(file)) continue;
+  const auto is_meant = [&](const fs::path& path) {
+    return IsNamedLikeAPicture(path) &&
+           names.contains(WithoutExtension(path.lexically_relative(folder)));
+  };
+  for (const fs::path& file : ListFiles(folder, std::numeric_limits<int>::max(), is_meant)) {
+    if (!is_meant(file)) continue;
     const fs::path relative = file.lexically_relative(folder);
-    images.try_emplace(fs::path(relative).replace_extension().generic_string(), relative);
+    images.try_emplace(WithoutExtension(relative), relative);
   }
   return images;
 }
@@ -136,14 +146,33 @@ std::map<std::string, fs::path> FindImages(const fs::path& folder) {
 // Every name that is listed, in byte order, with the list it stands in.
 std::map<std::string, fs::path> ReadNames(const fs::path& folder) {
   std::map<std::string, fs::path> names;
-  for (const fs::path& list : ListFiles(folder, 0)) {
-    if (list.extension() != ".txt") continue;
-    for (const auto& [number, name] : ReadLines(list)) names.try_emplace(name, list);
+  const auto is_list = [](const fs::path& path) { return path.extension() == ".txt"; };
+  for (const fs::path& list : ListFiles(folder, 0, is_list)) {
+    if (!is_list(list)) continue;
+    for (const auto& [number, name] : ReadLines(list)) {
+      names.try_emplace(fs::path(name).lexically_normal().generic_string(), list);
+    }
   }
   if (names.empty()) {
     throw Error({.path = folder.string(), .reason = "no *.txt with names of pictures"});
   }
   return names;
+}
+
+SourcePicture Describe(const fs::path& folder,
+                       const fs::path& image,
+                       const fs::path& mask,
+                       const std::map<Colour, std::uint8_t>& meaning) {
+  return {.path = folder / image,
+          .image = image.generic_string(),
+          .mask = WithoutExtension(image) + ".png",
+          .object_class = ClassOfPath(image),
+          .instance = WithoutExtension(image),
+          .make_mask = [mask, meaning](int width, int height) {
+            Image made = ReadColouredMask(mask, meaning);
+            RequireSameSize(mask, "the mask", {made.width(), made.height()}, {width, height});
+            return made;
+          }};
 }
 
 SourceSet ListCvatMasks(const fs::path& source, const CvatOptions& options) {
@@ -153,29 +182,28 @@ SourceSet ListCvatMasks(const fs::path& source, const CvatOptions& options) {
   options.roles.RequireAmong(label_names, source / "labelmap.txt");
   const auto meaning = MeaningOfColours(labels, options.roles);
   const fs::path folder = options.images.empty() ? source / "JPEGImages" : options.images;
-  const auto images = FindImages(folder);
+  const fs::path masks = source / "SegmentationClass";
+  const auto names = ReadNames(source / "ImageSets" / "Segmentation");
+  const auto images = FindImages(folder, names);
   SourceSet set;
-  for (const auto& [name, list] : ReadNames(source / "ImageSets" / "Segmentation")) {
-    const fs::path masks = source / "SegmentationClass";
-    const fs::path mask = masks / FindNamedFile(masks, name + ".png", list);
-    const auto image = images.find(fs::path(name).lexically_normal().generic_string());
-    if (image == images.end()) {
-      throw Error({.path = list.string(),
-                   .reason = "no picture '" + name + "' in " + folder.string(),
-                   .remedy = "name the folder of the pictures (--images)"});
+  Omissions omissions;
+  for (const auto& [name, list] : names) {
+    const std::optional<fs::path> mask = FindNamedFile(masks, name + ".png", list);
+    const auto image = images.find(name);
+    if (!mask) {
+      omissions.LeaveOut(masks / (name + ".png"),
+                         "no such mask, which " + list.string() + " names");
+    } else if (image == images.end()) {
+      omissions.LeaveOut(masks / *mask, "no picture of this mask in " + folder.string());
+    } else {
+      set.pictures.push_back(Describe(folder, image->second, masks / *mask, meaning));
     }
-    set.pictures.push_back(
-        {.path = folder / image->second,
-         .image = image->second.generic_string(),
-         .mask = image->first + ".png",
-         .object_class = ClassOfPath(image->second),
-         .instance = image->first,
-         .make_mask = [mask, meaning](int width, int height) {
-           Image made = ReadColouredMask(mask, meaning);
-           RequireSameSize(mask, "the mask", {made.width(), made.height()}, {width, height});
-           return made;
-         }});
   }
+  omissions.Conclude(set,
+                     {.path = source.string(),
+                      .reason = "none of the " + std::to_string(names.size()) +
+                                " pictures in ImageSets/Segmentation is there with its mask",
+                      .remedy = "name the folder of the pictures (--images)"});
   return set;
 }
 
@@ -185,8 +213,8 @@ SourceSet ListCvat(const fs::path& source, const CvatOptions& options) {
   options.roles.Validate();
   if (source.extension() == ".xml") return ListCvatShapes(source, options);
   RequireFolder(source);
-  const bool has_shapes = Exists(source / "annotations.xml");
-  const bool has_masks = Exists(source / "labelmap.txt");
+  const bool has_shapes = HasFile(source / "annotations.xml");
+  const bool has_masks = HasFile(source / "labelmap.txt");
   if (has_shapes == has_masks) {
     throw Error({.path = source.string(),
                  .reason = std::string(has_masks ? "both" : "neither") +

@@ -20,6 +20,7 @@
 
 #include "datasets/formats/mask_picture.h"
 #include "datasets/importers/labelled_shapes.h"
+#include "datasets/importers/omissions.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
 #include "lib/structured_text/xml_element.h"
@@ -30,6 +31,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t kLargestSide_px = 65535;
+constexpr const char* kRemedyWithoutPictures =
+    "export with \"Save images\", or name the folder of the pictures (--images)";
 
 // Takes one number off the front of `text`, with the separator before it if there is one to take.
 template <class T>
@@ -142,22 +145,21 @@ LabelledShape ReadShape(const XmlElement& shape,
 // Of a picture's annotations, those that are no shapes: labels of the whole picture.
 bool IsTag(const XmlElement& annotation) { return annotation.Name() == "tag"; }
 
-fs::path FindPicture(const XmlElement& image, const fs::path& folder, const fs::path& file) {
+std::optional<fs::path> FindPicture(const XmlElement& image,
+                                    const fs::path& folder,
+                                    const fs::path& file) {
   const std::string name = image.Attribute("name");
-  std::error_code ignored;
-  if (image.Has("subset") && !fs::is_regular_file(folder / name, ignored)) {
-    return FindNamedFile(folder, image.Attribute("subset") + "/" + name, file);
+  std::optional<fs::path> found = FindNamedFile(folder, name, file);
+  if (!found && image.Has("subset")) {
+    found = FindNamedFile(folder, image.Attribute("subset") + "/" + name, file);
   }
-  return FindNamedFile(folder, name, file);
+  return found;
 }
 
-SourcePicture ReadPicture(const XmlElement& image,
-                          const fs::path& file,
-                          const fs::path& folder,
-                          const LabelRoles& roles,
-                          std::set<std::string>& labels) {
-  const PixelSize size = {image.Integer("width", 1, kLargestSide_px),
-                          image.Integer("height", 1, kLargestSide_px)};
+std::vector<LabelledShape> ReadShapes(const XmlElement& image,
+                                      const PixelSize& size,
+                                      const LabelRoles& roles,
+                                      std::set<std::string>& labels) {
   std::vector<LabelledShape> shapes;
   for (const XmlElement& shape : image.Children()) {
     if (IsTag(shape)) continue;
@@ -166,11 +168,25 @@ SourcePicture ReadPicture(const XmlElement& image,
     const std::optional<std::uint8_t> value = roles.ValueOf(label);
     if (value) shapes.push_back(ReadShape(shape, size, *value));
   }
-  const fs::path name = FindPicture(image, folder, file);
+  return shapes;
+}
+
+// Nothing when the picture is not there.
+std::optional<SourcePicture> ReadPicture(const XmlElement& image,
+                                         const fs::path& file,
+                                         const fs::path& folder,
+                                         const LabelRoles& roles,
+                                         std::set<std::string>& labels) {
+  const PixelSize size = {image.Integer("width", 1, kLargestSide_px),
+                          image.Integer("height", 1, kLargestSide_px)};
+  std::vector<LabelledShape> shapes = ReadShapes(image, size, roles, labels);
+  const std::optional<fs::path> found = FindPicture(image, folder, file);
+  if (!found) return std::nullopt;
+  const fs::path& name = *found;
   const auto find_notes = [file, shapes](int width, int height) {
     return NotesOnShapes(file, width, height, shapes);
   };
-  return {
+  return SourcePicture{
       .path = folder / name,
       .image = name.generic_string(),
       .mask = fs::path(name).replace_extension(".png").generic_string(),
@@ -210,10 +226,23 @@ SourceSet ListCvatShapes(const fs::path& file, const CvatOptions& options) {
   const fs::path folder = options.images.empty() ? file.parent_path() / "images" : options.images;
   std::set<std::string> labels = ReadLabels(root);
   SourceSet set;
-  for (const XmlElement& image : root.Children("image")) {
-    set.pictures.push_back(ReadPicture(image, file, folder, options.roles, labels));
+  Omissions omissions;
+  const std::vector<XmlElement> images = root.Children("image");
+  if (images.empty()) root.Fail("no <image> in it", remedy);
+  RequireFolder(folder);
+  for (const XmlElement& image : images) {
+    auto picture = ReadPicture(image, file, folder, options.roles, labels);
+    if (picture) {
+      set.pictures.push_back(std::move(*picture));
+    } else {
+      omissions.LeaveOut(folder / image.Attribute("name"),
+                         "no such file, which " + file.string() + " names");
+    }
   }
-  if (set.pictures.empty()) root.Fail("no <image> in it", remedy);
+  omissions.Conclude(set,
+                     {.path = file.string(),
+                      .reason = "none of its pictures is below " + folder.string(),
+                      .remedy = kRemedyWithoutPictures});
   options.roles.RequireAmong(labels, file);
   return set;
 }

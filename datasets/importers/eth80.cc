@@ -3,16 +3,19 @@
 
 #include "datasets/importers/eth80.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <regex>
 #include <set>
 #include <string>
-#include <system_error>
+#include <string_view>
+#include <vector>
 
 #include "datasets/importers/flat_cloud.h"
 #include "datasets/importers/object_mask.h"
+#include "datasets/importers/omissions.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
 #include "lib/core/option_rules.h"
@@ -46,13 +49,48 @@ std::optional<ViewName> ParseName(const std::string& stem) {
   return ViewName{match[1], match[2], std::stoi(match[3]), ToAngle(std::stoi(match[4]))};
 }
 
-fs::path FindSilhouette(const fs::path& image) {
-  fs::path map = image.parent_path() / "maps" / (image.stem().string() + "-map.png");
-  std::error_code ignored;
-  if (fs::is_regular_file(map, ignored)) return map;
-  throw Error({.path = image.string(),
-               .reason = "has no silhouette: expected " + map.string(),
-               .remedy = "unpack the folder maps beside the pictures"});
+constexpr std::string_view kMapEnd = "-map";
+
+// Whether the file is a silhouette rather than a picture.
+bool IsMap(const fs::path& file) {
+  return file.parent_path().filename() == "maps" && file.extension() == ".png" &&
+         file.stem().string().ends_with(kMapEnd);
+}
+
+fs::path MapOf(const fs::path& image) {
+  return image.parent_path() / "maps" / (image.stem().string() + std::string(kMapEnd) + ".png");
+}
+
+// Of a picture or a silhouette: the path of its picture without the extension.
+fs::path ViewOf(const fs::path& file) {
+  if (!IsMap(file)) return file.parent_path() / file.stem();
+  const std::string stem = file.stem().string();
+  return file.parent_path().parent_path() / stem.substr(0, stem.size() - kMapEnd.size());
+}
+
+// Nothing when the file is neither a picture of the data nor a silhouette.
+std::optional<ViewName> ParseFile(const fs::path& file) {
+  if (!IsNamedLikeAPicture(file)) return std::nullopt;
+  return ParseName(ViewOf(file).filename().string());
+}
+
+SourcePicture Describe(const fs::path& file, const fs::path& relative, const ViewName& name) {
+  return {.path = file,
+          .image = relative.generic_string(),
+          .mask = fs::path(relative).replace_extension(".png").generic_string(),
+          .object_class = name.object_class,
+          .instance = name.object,
+          .angle_deg = name.angle_deg,
+          .make_mask = [map = MapOf(file)](int width, int height) {
+            return ReadObjectMask(map, width, height);
+          }};
+}
+
+// What was found, from the angles of the pictures and silhouettes.
+std::string TextOf(const std::set<int>& polar_angles) {
+  std::string found;
+  for (const int angle : polar_angles) found += " " + std::to_string(angle);
+  return found.empty() ? " none" : found;
 }
 
 }  // namespace
@@ -65,31 +103,35 @@ void Eth80Options::Validate() const {
 SourceSet ListEth80(const fs::path& source, const Eth80Options& options) {
   options.Validate();
   SourceSet set;
+  Omissions omissions;
   std::set<int> polar_angles;
-  for (const fs::path& file : ListFiles(source, std::numeric_limits<int>::max())) {
-    const std::optional<ViewName> name = ParseName(file.stem().string());
-    if (!name || !IsNamedLikeAPicture(file)) continue;
+  std::set<fs::path> with_picture;
+  const auto is_meant = [&](const fs::path& path) {
+    const std::optional<ViewName> name = ParseFile(path);
+    return name && name->polar_deg == options.polar_deg;
+  };
+  std::vector<fs::path> files = ListFiles(source, std::numeric_limits<int>::max(), is_meant);
+  std::stable_partition(files.begin(), files.end(), [](const fs::path& x) { return !IsMap(x); });
+  for (const fs::path& file : files) {
+    const std::optional<ViewName> name = ParseFile(file);
+    if (!name) continue;
     polar_angles.insert(name->polar_deg);
     if (name->polar_deg != options.polar_deg) continue;
-    const fs::path relative = file.lexically_relative(source);
-    set.pictures.push_back({.path = file,
-                            .image = relative.generic_string(),
-                            .mask = fs::path(relative).replace_extension(".png").generic_string(),
-                            .object_class = name->object_class,
-                            .instance = name->object,
-                            .angle_deg = name->angle_deg,
-                            .make_mask = [map = FindSilhouette(file)](int width, int height) {
-                              return ReadObjectMask(map, width, height);
-                            }});
+    const bool is_first = with_picture.insert(ViewOf(file)).second;
+    if (IsMap(file)) {
+      if (is_first) omissions.LeaveOut(file, "no picture OBJECT-PPP-AAA.png of this silhouette");
+    } else if (!HasFile(MapOf(file))) {
+      omissions.LeaveOut(file, "no silhouette maps/OBJECT-PPP-AAA-map.png of this picture");
+    } else {
+      set.pictures.push_back(Describe(file, file.lexically_relative(source), *name));
+    }
   }
-  if (set.pictures.empty()) {
-    std::string found;
-    for (const int angle : polar_angles) found += " " + std::to_string(angle);
-    throw Error({.path = source.string(),
-                 .reason = "no OBJECT-PPP-AAA.png with PPP = " + std::to_string(options.polar_deg) +
-                           "; angles PPP found:" + (found.empty() ? " none" : found),
-                 .remedy = "give the folder of the objects, or another angle (--polar)"});
-  }
+  omissions.Conclude(
+      set,
+      {.path = source.string(),
+       .reason = "no OBJECT-PPP-AAA.png with PPP = " + std::to_string(options.polar_deg) +
+                 " and its silhouette; angles PPP found:" + TextOf(polar_angles),
+       .remedy = "give the folder of the objects, or another angle (--polar)"});
   if (options.flat_clouds) AddFlatClouds(set);
   return set;
 }

@@ -16,9 +16,11 @@
 
 #include "datasets/formats/mask_picture.h"
 #include "datasets/importers/label_picture.h"
+#include "datasets/importers/omissions.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
 #include "lib/core/option_rules.h"
+#include "lib/core/path_kind.h"
 
 namespace handcraft::datasets {
 namespace {
@@ -75,9 +77,14 @@ bool IsOfOtherKind(const fs::path& file, const Place& place, const Place& other)
 // Files of one kind, by key.
 std::map<std::string, fs::path> FindFiles(const Place& place, const Place& other) {
   std::map<std::string, fs::path> files;
-  for (const fs::path& file : ListFiles(place.folder, kDeepest)) {
-    const std::optional<std::string> key = KeyOf(file, place.folder, place.suffix);
-    if (!key || IsOfOtherKind(file, place, other)) continue;
+  const auto key_of = [&](const fs::path& file) {
+    return IsOfOtherKind(file, place, other) ? std::nullopt
+                                             : KeyOf(file, place.folder, place.suffix);
+  };
+  const auto is_meant = [&](const fs::path& path) { return key_of(path).has_value(); };
+  for (const fs::path& file : ListFiles(place.folder, kDeepest, is_meant)) {
+    const std::optional<std::string> key = key_of(file);
+    if (!key) continue;
     const auto [twin, is_new] = files.try_emplace(*key, file);
     if (!is_new) {
       throw Error({.path = file.string(),
@@ -104,20 +111,17 @@ std::string NamesIn(const fs::path& folder) {
 }
 
 void RequireFolderIn(const fs::path& source, const fs::path& folder) {
-  std::error_code ignored;
-  if (fs::is_directory(folder, ignored)) return;
+  RequireFolder(folder.parent_path());  // itself: it ends in a slash
+  if (KindOf(folder) == PathKind::kFolder) return;
   throw Error({.path = source.string(),
                .reason = "expected the folder " + folder.lexically_relative(source).string() +
                          " in it, found " + NamesIn(source),
                .remedy = "name the folders of pictures and masks (--images, --masks)"});
 }
 
-[[noreturn]] void FailAlone(const fs::path& file,
-                            const std::string& kind,
-                            const fs::path& expected) {
-  throw Error({.path = file.string(),
-               .reason = "has no " + kind + ": expected " + expected.string() + ".*",
-               .remedy = "add it, or take this file away"});
+// "labels/…_label.*", for a message.
+std::string PatternOf(const Place& place) {
+  return (place.folder / "…").string() + place.suffix + ".*";
 }
 
 SourcePicture Describe(const fs::path& image,
@@ -173,25 +177,28 @@ SourceSet ListFolders(const fs::path& source, const FoldersOptions& options) {
   const auto image_files = FindFiles(images, masks);
   const auto mask_files = FindFiles(masks, images);
   SourceSet set;
+  Omissions omissions;
   const MaskValues meaning = MeaningOfValues(options);
   for (const auto& [key, image] : image_files) {
     const auto mask = mask_files.find(key);
-    if (mask == mask_files.end()) FailAlone(image, "mask", masks.folder / (key + masks.suffix));
-    set.pictures.push_back(
-        Describe(image, mask->second, key, image.lexically_relative(images.folder), meaning));
-  }
-  for (const auto& [key, mask] : mask_files) {
-    if (!image_files.contains(key)) {
-      FailAlone(mask, "picture", images.folder / (key + images.suffix));
+    if (mask == mask_files.end()) {
+      omissions.LeaveOut(image, "no mask: expected " + PatternOf(masks));
+    } else {
+      set.pictures.push_back(
+          Describe(image, mask->second, key, image.lexically_relative(images.folder), meaning));
     }
   }
-  if (set.pictures.empty()) {
-    throw Error({.path = images.folder.string(),
-                 .reason = "no picture *" + images.suffix +
-                           ".png, .jpg, .bmp, .ppm or .pgm; found " +
-                           std::to_string(ListFiles(images.folder, kDeepest).size()) + " files",
-                 .remedy = "name the folder and the suffix of the pictures"});
+  for (const auto& [key, mask] : mask_files) {
+    if (image_files.contains(key)) continue;
+    omissions.LeaveOut(mask, "no picture: expected " + PatternOf(images));
   }
+  omissions.Conclude(set,
+                     {.path = images.folder.string(),
+                      .reason = "no picture *" + images.suffix +
+                                ".png, .jpg, .bmp, .ppm or .pgm with a mask; found " +
+                                std::to_string(image_files.size()) + " pictures and " +
+                                std::to_string(mask_files.size()) + " masks",
+                      .remedy = "name the folders and suffixes of pictures and masks"});
   return set;
 }
 

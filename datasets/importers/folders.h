@@ -27,8 +27,8 @@ struct FoldersOptions {
 /// Lists pairs of picture and mask: the same path below the two folders once suffix and extension
 /// are taken off. A mask is a file of any lossless kind that ReadImage takes, gray or with equal
 /// channels; values that are neither good nor don't care are bad. Each picture is an instance of
-/// its own; the class is its first folder below `images`, else "object". Throws Error when a
-/// picture or a mask has no partner, two have the same one, or there is none.
+/// its own; the class is its first folder below `images`, else "object". What has no partner
+/// is left out and stands in the notes. Throws Error when two have the same one, or there is none.
 [[nodiscard]] SourceSet ListFolders(const std::filesystem::path& source,
                                     const FoldersOptions& options);
 

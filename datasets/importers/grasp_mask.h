@@ -24,6 +24,10 @@ struct MarkedRectangles {
 /// Its area [px²]; NaN when a corner is.
 [[nodiscard]] double RectangleArea(const GraspRectangle& rectangle);
 
+/// Why a picture whose rectangles were all passed over is left out.
+inline constexpr const char* kNoUsableRectangle =
+    "no usable rectangle in it: one with numbers for corners and a square pixel of area";
+
 /// Throws Error naming `file` and the rectangle, counted from 1 in the order they are given, when
 /// one lies wholly outside a picture of that size and so would mark nothing.
 void RequireWithinPicture(const std::filesystem::path& file,

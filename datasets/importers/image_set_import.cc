@@ -87,7 +87,7 @@ LabelledImageSet ImportPictures(SourceSet source,
   WriteManifest(set);
   staging.MoveToTarget();
   set.root = out;
-  TellNotes(notes, options);
+  TellNotes(source.notes, notes, options);
   return set;
 }
 

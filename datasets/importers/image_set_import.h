@@ -38,7 +38,8 @@ struct SourcePicture {
   std::function<std::vector<Fault>(int width, int height)> find_notes = {};
   /// The bytes of an embedded picture; empty: those of `path`.
   std::function<std::vector<std::uint8_t>()> embedded = {};
-  /// A picture that is no file, such as a part of one; empty: there is a file.
+  /// A picture that is no file, such as a part of one; empty: there is a file. It may return an
+  /// empty Image for a view in which no object is seen.
   std::function<Image()> make_image = {};
   /// Its cloud, given the size of the picture; empty: none.
   std::function<OrganisedCloud(int width, int height)> make_cloud = {};
@@ -51,6 +52,7 @@ struct SourceSet {
   std::vector<SourcePicture> pictures;
   int split_gap = 0;  ///< training pictures whose number is less than this below the first of the
                       ///< test are left out, for neighbours show the same object
+  std::vector<Fault> notes = {};  ///< what it lacks, and hence what is left out
 };
 
 /// Options of every importer.
@@ -63,9 +65,9 @@ struct ImportOptions {
   std::string licence = "see LICENCE";
   int num_threads = 1;
   Progress progress = {};
-  /// Told of each thing that is hardly meant, in the order of the pictures, once the set is
-  /// written: a shape that covers no pixel, a mask without good or without bad ones, a view without
-  /// an object. Paths are the source's or, of masks, relative to `out`.
+  /// Told, once the set is written, of what the source lacks, and of each thing that is hardly
+  /// meant, in the order of the pictures: a shape that covers no pixel, a mask without good or
+  /// without bad ones. Paths are the source's or, of masks, relative to `out`.
   std::function<void(const Fault& note)> on_note = {};
 
   /// Throws Error(kUsage) naming field, value and rule.

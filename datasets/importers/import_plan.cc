@@ -135,9 +135,11 @@ void PlanImport(SourceSet& source, const ImportOptions& options) {
   LeaveOutNeighboursOfTheTest(source);
 }
 
-void TellNotes(const std::vector<std::vector<Fault>>& notes_of_pictures,
+void TellNotes(const std::vector<Fault>& notes_on_source,
+               const std::vector<std::vector<Fault>>& notes_of_pictures,
                const ImportOptions& options) {
   if (!options.on_note) return;
+  std::for_each(notes_on_source.begin(), notes_on_source.end(), options.on_note);
   for (const std::vector<Fault>& notes : notes_of_pictures) {
     std::for_each(notes.begin(), notes.end(), options.on_note);
   }
@@ -156,7 +158,7 @@ void AddFoldersOf(const StagingFolder& staging, const std::vector<std::string>& 
 Image CopyPicture(const SourcePicture& picture, const fs::path& copy) {
   if (picture.make_image) {
     Image image = picture.make_image();
-    perception::WritePng(copy, image);
+    if (!image.empty()) perception::WritePng(copy, image);
     return image;
   }
   if (!picture.embedded) {

@@ -21,15 +21,18 @@ namespace handcraft::datasets {
 /// pictures and splits them, as ImportPictures says.
 void PlanImport(SourceSet& source, const ImportOptions& options);
 
-/// Calls options.on_note, where there is one, with the notes on each picture, in their order.
-void TellNotes(const std::vector<std::vector<Fault>>& notes_of_pictures,
+/// Calls options.on_note, where there is one, with the notes on the source, then those on each
+/// picture, in their order.
+void TellNotes(const std::vector<Fault>& notes_on_source,
+               const std::vector<std::vector<Fault>>& notes_of_pictures,
                const ImportOptions& options);
 
 /// Makes the folders that files of these paths, relative to the staging folder, lie in.
 void AddFoldersOf(const StagingFolder& staging, const std::vector<std::string>& files);
 
 /// Writes the picture to `copy`: its file or what is embedded byte for byte, a made one as PNG.
-/// Throws Error when it is no picture; the faults of an embedded one name its source.
+/// Throws Error when it is no picture; the faults of an embedded one name its source. Nothing is
+/// written where make_image returns an empty Image.
 Image CopyPicture(const SourcePicture& picture, const std::filesystem::path& copy);
 
 /// The path of its cloud in the set; empty when it has none.

@@ -14,10 +14,10 @@
 #include <system_error>
 #include <utility>
 
+#include "datasets/importers/omissions.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
-#include "lib/core/path_kind.h"
 
 namespace handcraft::datasets {
 namespace {
@@ -64,6 +64,9 @@ GraspRectangle ToRectangle(const Grasp& grasp) {
   return {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
 }
 
+bool IsImage(const fs::path& path) { return path.filename().string().ends_with(kImageEnd); }
+bool IsLabels(const fs::path& path) { return path.filename().string().ends_with(kGraspsEnd); }
+
 // "0_1a2b" is the first scene of object 1a2b.
 std::string ObjectOf(const std::string& scene) {
   const std::size_t at = scene.find('_');
@@ -72,15 +75,18 @@ std::string ObjectOf(const std::string& scene) {
   return is_numbered ? scene.substr(at + 1) : scene;
 }
 
-fs::path LabelsOf(const fs::path& image, const std::string& scene) {
-  return image.parent_path() / (scene + std::string(kGraspsEnd));
+// NAME_RGB.png → NAME_grasps.txt, or back.
+fs::path WithOtherEnd(const fs::path& file, std::string_view end, std::string_view other) {
+  std::string name = file.filename().string();
+  name.replace(name.size() - end.size(), end.size(), other);
+  return file.parent_path() / name;
 }
 
 SourcePicture Describe(const fs::path& image,
                        const fs::path& relative,
-                       const std::string& scene,
+                       const fs::path& labels,
                        const GraspMaskOptions& options) {
-  const fs::path labels = LabelsOf(image, scene);
+  const std::string scene = WithOtherEnd(image, kImageEnd, "").filename().string();
   const std::vector<GraspRectangle> grasps = ReadJacquardGrasps(labels);
   return {
       .path = image,
@@ -93,6 +99,24 @@ SourcePicture Describe(const fs::path& image,
             return MakeGraspMask(width, height, grasps, {}, options);
           },
       .read_rectangles = [grasps] { return MarkedRectangles{.positive = grasps, .negative = {}}; }};
+}
+
+void AddPicture(const fs::path& image,
+                const fs::path& source,
+                const GraspMaskOptions& options,
+                SourceSet& set,
+                Omissions& omissions) {
+  const fs::path labels = WithOtherEnd(image, kImageEnd, kGraspsEnd);
+  if (!HasFile(labels)) {
+    omissions.LeaveOut(image, "no *_grasps.txt beside it");
+    return;
+  }
+  SourcePicture picture = Describe(image, image.lexically_relative(source), labels, options);
+  if (picture.read_rectangles().positive.empty()) {
+    omissions.LeaveOut(labels, kNoUsableRectangle);
+  } else {
+    set.pictures.push_back(std::move(picture));
+  }
 }
 
 }  // namespace
@@ -118,25 +142,26 @@ std::vector<GraspRectangle> ReadJacquardGrasps(const fs::path& path) {
 SourceSet ListJacquard(const fs::path& source, const GraspMaskOptions& options) {
   options.Validate();
   SourceSet set;
+  Omissions omissions;
   std::size_t num_images = 0;
   std::size_t num_labels = 0;
-  for (const fs::path& file : ListFiles(source, std::numeric_limits<int>::max())) {
-    const std::string name = file.filename().string();
-    if (name.ends_with(kGraspsEnd)) ++num_labels;
-    if (!name.ends_with(kImageEnd)) continue;
-    ++num_images;
-    const std::string scene = name.substr(0, name.size() - kImageEnd.size());
-    if (!Exists(LabelsOf(file, scene))) continue;
-    SourcePicture picture = Describe(file, file.lexically_relative(source), scene, options);
-    if (!picture.read_rectangles().positive.empty()) set.pictures.push_back(std::move(picture));
+  const auto is_meant = [](const fs::path& path) { return IsImage(path) || IsLabels(path); };
+  for (const fs::path& file : ListFiles(source, std::numeric_limits<int>::max(), is_meant)) {
+    if (IsImage(file)) {
+      ++num_images;
+      AddPicture(file, source, options, set, omissions);
+    } else if (IsLabels(file)) {
+      ++num_labels;
+      if (HasFile(WithOtherEnd(file, kGraspsEnd, kImageEnd))) continue;
+      omissions.LeaveOut(file, "no *_RGB.png beside it");
+    }
   }
-  if (set.pictures.empty()) {
-    throw Error({.path = source.string(),
-                 .reason = "no *_RGB.png with grasps in its *_grasps.txt; found " +
-                           std::to_string(num_images) + " pictures and " +
-                           std::to_string(num_labels) + " files of grasps",
-                 .remedy = "give the folder that holds the folders of the objects"});
-  }
+  omissions.Conclude(set,
+                     {.path = source.string(),
+                      .reason = "no *_RGB.png with grasps in its *_grasps.txt; found " +
+                                std::to_string(num_images) + " pictures and " +
+                                std::to_string(num_labels) + " files of grasps",
+                      .remedy = "give the folder that holds the folders of the objects"});
   return set;
 }
 

@@ -17,9 +17,9 @@ namespace handcraft::datasets {
 [[nodiscard]] std::vector<GraspRectangle> ReadJacquardGrasps(const std::filesystem::path& path);
 
 /// Lists a Jacquard tree: N_OBJECT_RGB.png beside N_OBJECT_grasps.txt, at any depth. OBJECT is the
-/// instance, the class is "object". Pictures without a usable grasp are left out. Throws Error that
-/// says what was expected and found.
-/// Source: A. Depierre, E. Dellandréa, L. Chen, "Jacquard", IROS 2018, and its data's description.
+/// instance, the class is "object". What is left out, for want of a file or of a usable grasp,
+/// stands in the notes. Throws Error that says what was expected and found. Source: A. Depierre, E.
+/// Dellandréa, L. Chen, "Jacquard", IROS 2018, and its data's description.
 [[nodiscard]] SourceSet ListJacquard(const std::filesystem::path& source,
                                      const GraspMaskOptions& options);
 

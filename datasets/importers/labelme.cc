@@ -20,6 +20,7 @@
 #include "datasets/formats/mask_picture.h"
 #include "datasets/importers/base64.h"
 #include "datasets/importers/labelled_shapes.h"
+#include "datasets/importers/omissions.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
 
@@ -84,8 +85,8 @@ std::vector<std::uint8_t> DecodePicture(const JsonValue& data) {
   return std::move(*bytes);
 }
 
-// Where the picture is, and its path below images/.
-void PlacePicture(const JsonValue& json,
+// Where the picture is, and its path below images/. Returns false when there is none.
+bool PlacePicture(const JsonValue& json,
                   const fs::path& file,
                   const fs::path& relative,
                   SourcePicture& picture) {
@@ -96,14 +97,16 @@ void PlacePicture(const JsonValue& json,
     picture.embedded = [file] { return DecodePicture(JsonValue::ReadFile(file)["imageData"]); };
     image = fs::path(relative).replace_extension(ExtensionOf(bytes));
   } else {
-    const fs::path name = FindNamedFile(file.parent_path(), json["imagePath"].Text(), file);
-    picture.path = file.parent_path() / name;
-    image = relative.parent_path() / name;
+    const auto name = FindNamedFile(file.parent_path(), json["imagePath"].Text(), file);
+    if (!name) return false;
+    picture.path = file.parent_path() / *name;
+    image = relative.parent_path() / *name;
   }
   picture.image = image.generic_string();
   picture.mask = fs::path(image).replace_extension(".png").generic_string();
   picture.instance = fs::path(image).replace_extension().generic_string();
   picture.object_class = ClassOfPath(image);
+  return true;
 }
 
 std::optional<PixelSize> ReadSize(const JsonValue& json) {
@@ -113,10 +116,11 @@ std::optional<PixelSize> ReadSize(const JsonValue& json) {
                    json["imageHeight"].Integer(1, kLargest)};
 }
 
-SourcePicture ReadAnnotation(const fs::path& file,
-                             const fs::path& relative,
-                             const LabelRoles& roles,
-                             std::set<std::string>& labels) {
+// Nothing when its picture is not there.
+std::optional<SourcePicture> ReadAnnotation(const fs::path& file,
+                                            const fs::path& relative,
+                                            const LabelRoles& roles,
+                                            std::set<std::string>& labels) {
   const JsonValue json = JsonValue::ReadFile(file);
   SourcePicture picture;
   std::vector<LabelledShape> shapes;
@@ -128,7 +132,7 @@ SourcePicture ReadAnnotation(const fs::path& file,
     const std::optional<std::uint8_t> value = roles.ValueOf(label);
     if (value) shapes.push_back({ReadGeometry(shape), *value, where});
   }
-  PlacePicture(json, file, relative, picture);
+  if (!PlacePicture(json, file, relative, picture)) return std::nullopt;
   picture.make_mask = [file, shapes, size = ReadSize(json)](int width, int height) {
     if (size) RequireSameSize(file, "the labelled picture", *size, {width, height});
     return DrawLabelledShapes(file, width, height, shapes);
@@ -139,23 +143,50 @@ SourcePicture ReadAnnotation(const fs::path& file,
   return picture;
 }
 
+bool IsAnnotation(const fs::path& path) { return path.extension() == ".json"; }
+
+// Pictures that no annotation is about: neither named by one nor named as one is.
+void TellOfUnlabelled(const std::vector<fs::path>& files,
+                      const std::vector<SourcePicture>& pictures,
+                      Omissions& omissions) {
+  std::set<fs::path> labelled;
+  for (const fs::path& file : files) {
+    if (IsAnnotation(file)) labelled.insert(fs::path(file).replace_extension());
+  }
+  for (const SourcePicture& picture : pictures) {
+    labelled.insert(picture.path.lexically_normal().replace_extension());
+  }
+  for (const fs::path& file : files) {
+    if (!IsNamedLikeAPicture(file)) continue;
+    const bool is_labelled = labelled.contains(fs::path(file).replace_extension()) ||
+                             labelled.contains(file.lexically_normal().replace_extension());
+    if (!is_labelled) omissions.LeaveOut(file, "no LabelMe file names this picture");
+  }
+}
+
 }  // namespace
 
 SourceSet ListLabelme(const fs::path& source, const LabelRoles& roles) {
   roles.Validate();
   SourceSet set;
+  Omissions omissions;
   std::set<std::string> labels;
-  const std::vector<fs::path> files = ListFiles(source, kDeepest);
+  const std::vector<fs::path> files = ListFiles(source, kDeepest, IsAnnotation);
   for (const fs::path& file : files) {
-    if (file.extension() != ".json") continue;
-    set.pictures.push_back(ReadAnnotation(file, file.lexically_relative(source), roles, labels));
+    if (!IsAnnotation(file)) continue;
+    auto picture = ReadAnnotation(file, file.lexically_relative(source), roles, labels);
+    if (picture) {
+      set.pictures.push_back(std::move(*picture));
+    } else {
+      omissions.LeaveOut(file, "the picture that it names is not there");
+    }
   }
-  if (set.pictures.empty()) {
-    throw Error(
-        {.path = source.string(),
-         .reason = "no LabelMe file *.json; found " + std::to_string(files.size()) + " other files",
-         .remedy = "give the folder they are in"});
-  }
+  TellOfUnlabelled(files, set.pictures, omissions);
+  omissions.Conclude(set,
+                     {.path = source.string(),
+                      .reason = "no LabelMe file *.json with its picture; found " +
+                                std::to_string(files.size()) + " files",
+                      .remedy = "give the folder they are in"});
   roles.RequireAmong(labels, source);
   return set;
 }

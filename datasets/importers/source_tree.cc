@@ -24,6 +24,18 @@ namespace fs = std::filesystem;
                .remedy = "put the file there, or remove the link"});
 }
 
+// Neither a file nor a folder, where one of them is due.
+[[noreturn]] void RefuseStrange(const fs::path& path, const char* due, const char* remedy) {
+  std::error_code error;
+  static_cast<void>(fs::status(path, error));
+  if (error) {
+    throw Error({.path = path.string(), .reason = "cannot be looked at: " + error.message()});
+  }
+  throw Error({.path = path.string(),
+               .reason = std::string("is a pipe or a device; ") + due + " is due",
+               .remedy = remedy});
+}
+
 // What stands in a tree but cannot be listed; links whose names begin with a dot are editors'
 // locks.
 void RefuseLinkThatHidesFiles(const fs::path& path, bool would_be_entered) {
@@ -41,14 +53,40 @@ void RefuseLinkThatHidesFiles(const fs::path& path, bool would_be_entered) {
 }  // namespace
 
 void RequireFolder(const fs::path& path) {
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored) || !fs::exists(path, ignored)) return;
-  throw Error({.path = path.string(),
-               .reason = "is a file; a folder is due",
-               .remedy = "give the folder that it lies in"});
+  const PathKind kind = KindOf(path);
+  if (kind == PathKind::kFile) {
+    throw Error({.path = path.string(),
+                 .reason = "is a file; a folder is due",
+                 .remedy = "give the folder that it lies in"});
+  }
+  if (kind == PathKind::kOther) RefuseStrange(path, "a folder", "give the folder of the data");
 }
 
-std::vector<fs::path> ListFiles(const fs::path& folder, int max_depth) {
+void RequireFile(const fs::path& path) {
+  const PathKind kind = KindOf(path);
+  if (kind == PathKind::kBrokenLink) RefuseDanglingLink(path);
+  if (kind == PathKind::kOther) RefuseStrange(path, "a file", "save what it gives to a file");
+  if (kind == PathKind::kFolder) {
+    throw Error({.path = path.string(),
+                 .reason = "is a folder; a file is due",
+                 .remedy = "give the folder another name, or remove it"});
+  }
+  std::error_code ignored;
+  if (kind == PathKind::kFile && fs::file_size(path, ignored) == 0) {
+    throw Error({.path = path.string(),
+                 .reason = "the file is empty",
+                 .remedy = "copy it again from its source, or remove it"});
+  }
+}
+
+bool HasFile(const fs::path& path) {
+  RequireFile(path);
+  return KindOf(path) != PathKind::kNothing;
+}
+
+std::vector<fs::path> ListFiles(const fs::path& folder,
+                                int max_depth,
+                                const std::function<bool(const fs::path&)>& is_meant) {
   RequireFolder(folder);
   std::error_code error;
   std::error_code ignored;
@@ -58,6 +96,7 @@ std::vector<fs::path> ListFiles(const fs::path& folder, int max_depth) {
     if (it.depth() >= max_depth) it.disable_recursion_pending();
     if (it->is_regular_file(ignored)) files.push_back(it->path());
     RefuseLinkThatHidesFiles(it->path(), it.depth() < max_depth);
+    if (is_meant(it->path())) RequireFile(it->path());
   }
   if (error) {
     throw Error({.path = folder.string(),
@@ -78,7 +117,9 @@ bool IsNamedLikeAPicture(const fs::path& path) {
   return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
 
-fs::path FindNamedFile(const fs::path& folder, std::string name, const fs::path& origin) {
+std::optional<fs::path> FindNamedFile(const fs::path& folder,
+                                      std::string name,
+                                      const fs::path& origin) {
   const auto fail = [&](const std::string& fault, const std::string& remedy) {
     throw Error({.path = origin.string(),
                  .reason = "the file name '" + name + "' " + fault,
@@ -94,10 +135,7 @@ fs::path FindNamedFile(const fs::path& folder, std::string name, const fs::path&
   if (path.is_absolute() || has_drive || std::find(path.begin(), path.end(), "..") != path.end()) {
     fail("leads out of " + folder.string(), "keep the pictures below that folder");
   }
-  std::error_code ignored;
-  if (!fs::is_regular_file(folder / path, ignored)) {
-    fail("is no file below " + folder.string(), "put it there, or name the folder of the pictures");
-  }
+  if (!HasFile(folder / path)) return std::nullopt;
   return path.lexically_normal();
 }
 

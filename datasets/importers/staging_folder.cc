@@ -66,6 +66,14 @@ void StagingFolder::AddFolder(const fs::path& name) const {
   if (error) Fail(target_ / name, "make the folder", error);
 }
 
+void StagingFolder::Remove(const fs::path& name) const {
+  std::error_code error;
+  fs::remove(path_ / name, error);
+  for (fs::path at = name.parent_path(); !at.empty() && !error; at = at.parent_path()) {
+    fs::remove(path_ / at, error);  // fails where something is left
+  }
+}
+
 void StagingFolder::MoveToTarget() {
   std::error_code error;
   fs::rename(path_, target_, error);

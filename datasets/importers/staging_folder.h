@@ -23,6 +23,9 @@ class StagingFolder {
   /// Makes a folder of this name inside.
   void AddFolder(const std::filesystem::path& name) const;
 
+  /// Removes a file, if it is there, and the folders inside that are empty without it.
+  void Remove(const std::filesystem::path& name) const;
+
   void MoveToTarget();
 
  private:

@@ -3,18 +3,21 @@
 
 #include "datasets/importers/umd.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
-#include <system_error>
+#include <vector>
 
 #include "datasets/formats/labelled_image_set.h"
 #include "datasets/formats/mask_picture.h"
 #include "datasets/formats/mat_array.h"
+#include "datasets/importers/omissions.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
 
@@ -24,6 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kImageEnd = "_rgb";
+constexpr std::array<std::string_view, 2> kLabelEnds = {"_label.mat", "_label_rank.mat"};
 constexpr std::array<const char*, 7> kAffordances = {
     "grasp", "cut", "scoop", "contain", "pound", "support", "wrap-grasp"};
 
@@ -91,16 +95,38 @@ std::string ClassOf(const std::string& object) {
   return is_numbered ? object.substr(0, end) : object;
 }
 
-fs::path FindLabels(const fs::path& image, const std::string& name) {
-  std::error_code ignored;
-  for (const char* end : {"_label.mat", "_label_rank.mat"}) {
-    fs::path labels = image.parent_path() / (name + end);
-    if (fs::is_regular_file(labels, ignored)) return labels;
+// Of which view a file is a picture or the labels: its path up to the endings. Nothing if neither.
+std::optional<fs::path> ViewOf(const fs::path& file) {
+  const std::string name =
+      IsNamedLikeAPicture(file) ? file.stem().string() : file.filename().string();
+  for (const std::string_view end : {kImageEnd, kLabelEnds[0], kLabelEnds[1]}) {
+    if (!name.ends_with(end) || (end == kImageEnd) != IsNamedLikeAPicture(file)) continue;
+    return file.parent_path() / name.substr(0, name.size() - end.size());
   }
-  throw Error({.path = image.string(),
-               .reason = "has no labels: expected " + name + "_label.mat or " + name +
-                         "_label_rank.mat beside it",
-               .remedy = "unpack the whole of the data"});
+  return std::nullopt;
+}
+
+std::optional<fs::path> FindLabels(const fs::path& view) {
+  for (const std::string_view end : kLabelEnds) {
+    fs::path labels = view.string() + std::string(end);
+    if (HasFile(labels)) return labels;
+  }
+  return std::nullopt;
+}
+
+SourcePicture Describe(const fs::path& image,
+                       const fs::path& relative,
+                       const fs::path& labels,
+                       const Meaning& meaning) {
+  const std::string object = fs::absolute(image).parent_path().filename().string();
+  return {.path = image,
+          .image = relative.generic_string(),
+          .mask = ViewOf(relative)->generic_string() + ".png",
+          .object_class = ClassOf(object),
+          .instance = object,
+          .make_mask = [labels, meaning](int width, int height) {
+            return MakeMask(labels, meaning, width, height);
+          }};
 }
 
 }  // namespace
@@ -109,31 +135,33 @@ LabelRoles UmdRoles() { return {.good = {"grasp", "wrap-grasp"}}; }
 
 SourceSet ListUmd(const fs::path& source, const LabelRoles& roles) {
   roles.Validate();
-  roles.RequireAmong({kAffordances.begin(), kAffordances.end()}, source);
-  const Meaning meaning = MeaningOfNumbers(roles);
   SourceSet set;
-  const std::vector<fs::path> files = ListFiles(source, std::numeric_limits<int>::max());
+  Omissions omissions;
+  const Meaning meaning = MeaningOfNumbers(roles);
+  const auto is_meant = [](const fs::path& path) { return ViewOf(path).has_value(); };
+  std::vector<fs::path> files = ListFiles(source, std::numeric_limits<int>::max(), is_meant);
+  std::stable_partition(files.begin(), files.end(), IsNamedLikeAPicture);
+  std::set<fs::path> known;
   for (const fs::path& file : files) {
-    const std::string stem = file.stem().string();
-    if (!IsNamedLikeAPicture(file) || !stem.ends_with(kImageEnd)) continue;
-    const std::string name = stem.substr(0, stem.size() - kImageEnd.size());
-    const fs::path relative = file.lexically_relative(source);
-    const std::string object = fs::absolute(file).parent_path().filename().string();
-    set.pictures.push_back(
-        {.path = file,
-         .image = relative.generic_string(),
-         .mask = (relative.parent_path() / (name + ".png")).generic_string(),
-         .object_class = ClassOf(object),
-         .instance = object,
-         .make_mask = [labels = FindLabels(file, name), meaning](int width, int height) {
-           return MakeMask(labels, meaning, width, height);
-         }});
+    const std::optional<fs::path> view = ViewOf(file);
+    if (!view) continue;
+    const bool is_first = known.insert(*view).second;
+    const bool is_image = IsNamedLikeAPicture(file);
+    const std::optional<fs::path> labels = FindLabels(*view);
+    if (!is_image && is_first) {
+      omissions.LeaveOut(file, "no *_rgb.jpg beside it");
+    } else if (is_image && !labels) {
+      omissions.LeaveOut(file, "no *_label.mat or *_label_rank.mat beside it");
+    } else if (is_image) {
+      set.pictures.push_back(Describe(file, file.lexically_relative(source), *labels, meaning));
+    }
   }
-  if (set.pictures.empty()) {
-    throw Error({.path = source.string(),
-                 .reason = "no *_rgb.jpg; found " + std::to_string(files.size()) + " other files",
-                 .remedy = "give the folder that holds tools/ or the folders of the objects"});
-  }
+  omissions.Conclude(
+      set,
+      {.path = source.string(),
+       .reason = "no *_rgb.jpg with labels; found " + std::to_string(files.size()) + " files",
+       .remedy = "give the folder that holds tools/ or the folders of the objects"});
+  roles.RequireAmong({kAffordances.begin(), kAffordances.end()}, source);
   return set;
 }
 

@@ -11,9 +11,11 @@
 #include "datasets/formats/fault.h"
 #include "datasets/formats/mask_picture.h"
 #include "datasets/importers/import_plan.h"
+#include "datasets/importers/omissions.h"
 #include "datasets/importers/source_tree.h"
 #include "datasets/importers/staging_folder.h"
 #include "datasets/parallel_reporting.h"
+#include "lib/core/error.h"
 #include "lib/perception/image_io.h"
 
 namespace handcraft::datasets {
@@ -32,21 +34,42 @@ ObjectView Describe(const SourcePicture& picture, const std::string& licence) {
           .licence = licence};
 }
 
-// Returns what is worth knowing about it.
-std::vector<Fault> WriteView(const SourcePicture& picture,
-                             const ObjectView& view,
-                             const fs::path& root) {
+// Returns false when no object is seen; then the picture may be there, but nothing else is.
+bool WriteView(const SourcePicture& picture, const ObjectView& view, const fs::path& root) {
   const Image image = CopyPicture(picture, root / view.image);
+  if (image.empty()) return false;
   const PixelSize size = {image.width(), image.height()};
   const Image mask = picture.make_mask(image.width(), image.height());
   RequireSameSize(picture.path, "the object mask", {mask.width(), mask.height()}, size);
+  if (!FindBox(mask, kObject)) return false;
   perception::WritePng(root / view.object_mask, mask);
   if (picture.make_cloud) WriteCloud(picture, size, root / view.cloud);
-  if (FindBox(mask, kObject)) return {};
-  return {{.path = view.object_mask,
-           .reason = "no pixel of an object (255): handcraft data check refuses the set",
-           .gravity = Gravity::kNote,
-           .remedy = "leave the picture out"}};
+  return true;
+}
+
+// Takes those out that show no object, with what was written of them. Returns the notes on it.
+std::vector<Fault> LeaveOutEmptyViews(const std::vector<SourcePicture>& pictures,
+                                      const std::vector<char>& shows_object,
+                                      const StagingFolder& staging,
+                                      ViewSet& set) {
+  Omissions omissions;
+  std::vector<ObjectView> kept;
+  kept.reserve(set.items.size());
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    ObjectView& view = set.items[i];
+    if (shows_object[i] != 0) {
+      kept.push_back(std::move(view));
+      continue;
+    }
+    for (const std::string& file : {view.image, view.object_mask, view.cloud}) {
+      if (!file.empty()) staging.Remove(file);
+    }
+    const bool is_file = !pictures[i].make_image && !pictures[i].embedded;
+    omissions.LeaveOut(is_file ? pictures[i].path : fs::path(view.image),
+                       "no object is seen: its mask has no pixel of one");
+  }
+  set.items = std::move(kept);
+  return omissions.Notes();
 }
 
 }  // namespace
@@ -64,17 +87,25 @@ ViewSet ImportViews(SourceSet source, const fs::path& out, const ImportOptions& 
     if (!view.cloud.empty()) files.push_back(view.cloud);
   }
   AddFoldersOf(staging, files);
-  std::vector<std::vector<Fault>> notes(pictures.size());
-  ParallelForReporting(
-      pictures.size(),
-      options.num_threads,
-      options.progress,
-      "importing views",
-      [&](std::size_t i) { notes[i] = WriteView(pictures[i], set.items[i], set.root); });
+  std::vector<char> shows_object(pictures.size());
+  ParallelForReporting(pictures.size(),
+                       options.num_threads,
+                       options.progress,
+                       "importing views",
+                       [&](std::size_t i) {
+                         shows_object[i] = WriteView(pictures[i], set.items[i], set.root) ? 1 : 0;
+                       });
+  const std::vector<Fault> notes = LeaveOutEmptyViews(pictures, shows_object, staging, set);
+  if (set.items.empty()) {
+    throw Error({.path = pictures.front().path.string(),
+                 .reason = "no object is seen in this view nor in the others: no mask has a pixel "
+                           "of one",
+                 .remedy = "look at the masks of the source"});
+  }
   WriteViews(set);
   staging.MoveToTarget();
   set.root = out;
-  TellNotes(notes, options);
+  TellNotes(source.notes, {notes}, options);
   return set;
 }
 

@@ -11,7 +11,9 @@
 namespace handcraft::datasets {
 
 /// As ImportPictures, of views: writes a view set, images/, object_masks/ (what make_mask returns:
-/// kObject and kNoObject alone), clouds/ where there are any, and views.csv.
+/// kObject and kNoObject alone), clouds/ where there are any, and views.csv. A view in which no
+/// object is seen is left out, told in a note; splits are dealt out before. Throws Error when no
+/// view is left.
 ViewSet ImportViews(SourceSet source,
                     const std::filesystem::path& out,
                     const ImportOptions& options);

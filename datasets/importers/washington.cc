@@ -10,15 +10,19 @@
 #include <numbers>
 #include <optional>
 #include <regex>
+#include <set>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 
 #include "datasets/formats/mask_picture.h"
 #include "datasets/importers/depth_cloud.h"
 #include "datasets/importers/object_mask.h"
+#include "datasets/importers/omissions.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
@@ -32,9 +36,9 @@ namespace fs = std::filesystem;
 constexpr double kFocal_px = 570.3;
 constexpr double kUnit_m = 0.001;
 
-// The files of a view, and what its name says.
+// Which view a file is of: what their names have in common, and what that says.
 struct ViewFiles {
-  fs::path stem;  // path without _crop.png
+  fs::path stem;  // path without _crop.png and the like
   std::string object_class, instance;
   int video = 0;
 
@@ -42,15 +46,15 @@ struct ViewFiles {
 };
 
 std::optional<ViewFiles> ParseName(const fs::path& file) {
-  static const std::regex kPattern("((.+)_[0-9]{1,4})_([0-9]{1,4})_[0-9]+_crop\\.png");
+  static const std::regex kPattern(
+      "(((.+)_[0-9]{1,4})_([0-9]{1,4})_[0-9]+)_((crop|depthcrop|maskcrop)\\.png|loc\\.txt)");
   const std::string name = file.filename().string();
   std::smatch match;
   if (!std::regex_match(name, match, kPattern)) return std::nullopt;
-  constexpr std::string_view kEnd = "_crop.png";
-  return ViewFiles{.stem = file.parent_path() / name.substr(0, name.size() - kEnd.size()),
-                   .object_class = match[2],
-                   .instance = match[1],
-                   .video = std::stoi(match[3])};
+  return ViewFiles{.stem = file.parent_path() / match[1].str(),
+                   .object_class = match[3],
+                   .instance = match[2],
+                   .video = std::stoi(match[4])};
 }
 
 // The numbers of a file, between commas and blanks; as many as asked for.
@@ -104,46 +108,77 @@ OrganisedCloud ReadCloud(const ViewFiles& files, int width, int height) {
 }
 
 std::optional<double> ReadAngle(const fs::path& path) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored)) return std::nullopt;
+  if (!HasFile(path)) return std::nullopt;
   const double turn_deg = ReadNumbers<1>(path, "the turn in degrees")[0];
   const double angle_deg = turn_deg - 360.0 * std::floor(turn_deg / 360.0);
   return angle_deg < 360.0 ? angle_deg : 0.0;  // of a tiny negative one
+}
+
+SourcePicture Describe(const ViewFiles& files, const fs::path& source) {
+  const fs::path image = files.With("_crop.png");
+  const std::string relative = image.lexically_relative(source).generic_string();
+  SourcePicture view{.path = image,
+                     .image = relative,
+                     .mask = relative,
+                     .object_class = files.object_class,
+                     .instance = files.instance,
+                     .angle_deg = ReadAngle(files.With("_pose.txt")),
+                     .make_mask = [path = files.With("_maskcrop.png")](int width, int height) {
+                       return ReadObjectMask(path, width, height);
+                     }};
+  if (HasFile(files.With("_depthcrop.png")) && HasFile(files.With("_loc.txt"))) {
+    view.make_cloud = [files](int width, int height) { return ReadCloud(files, width, height); };
+  }
+  return view;
+}
+
+// Adds the view that `file` is one of; the first of them in the order of names tells what is there.
+void AddView(const fs::path& file,
+             const ViewFiles& files,
+             const fs::path& source,
+             SourceSet& set,
+             Omissions& omissions) {
+  if (!HasFile(files.With("_crop.png"))) {
+    omissions.LeaveOut(file, "no *_crop.png beside it");
+  } else if (!HasFile(files.With("_maskcrop.png"))) {
+    omissions.LeaveOut(file, "no *_maskcrop.png beside it");
+  } else {
+    set.pictures.push_back(Describe(files, source));
+  }
+}
+
+void TellOfLack(const std::vector<SourcePicture>& pictures, Omissions& omissions) {
+  std::vector<fs::path> without_cloud;
+  std::vector<fs::path> without_angle;
+  for (const SourcePicture& picture : pictures) {
+    if (!picture.make_cloud) without_cloud.push_back(picture.path);
+    if (!picture.angle_deg) without_angle.push_back(picture.path);
+  }
+  omissions.GoWithoutWhatOthersHave(
+      without_cloud, pictures.size(), "its cloud", "no *_depthcrop.png, or no *_loc.txt for it");
+  omissions.GoWithoutWhatOthersHave(
+      without_angle, pictures.size(), "its angle", "no *_pose.txt beside it");
 }
 
 }  // namespace
 
 SourceSet ListWashington(const fs::path& source) {
   SourceSet set;
-  std::size_t num_files = 0;
-  for (const fs::path& file : ListFiles(source, std::numeric_limits<int>::max())) {
-    ++num_files;
+  Omissions omissions;
+  std::set<fs::path> known;
+  const auto is_meant = [](const fs::path& path) { return ParseName(path).has_value(); };
+  const std::vector<fs::path> all = ListFiles(source, std::numeric_limits<int>::max(), is_meant);
+  for (const fs::path& file : all) {
     const std::optional<ViewFiles> files = ParseName(file);
-    std::error_code ignored;
-    if (!files || !fs::is_regular_file(files->With("_maskcrop.png"), ignored)) continue;
-    const std::string relative = file.lexically_relative(source).generic_string();
-    SourcePicture view{.path = file,
-                       .image = relative,
-                       .mask = relative,
-                       .object_class = files->object_class,
-                       .instance = files->instance,
-                       .angle_deg = ReadAngle(files->With("_pose.txt")),
-                       .make_mask = [path = files->With("_maskcrop.png")](int width, int height) {
-                         return ReadObjectMask(path, width, height);
-                       }};
-    if (fs::is_regular_file(files->With("_depthcrop.png"), ignored)) {
-      view.make_cloud = [files = *files](int width, int height) {
-        return ReadCloud(files, width, height);
-      };
-    }
-    set.pictures.push_back(std::move(view));
+    if (!files || !known.insert(files->stem).second) continue;
+    AddView(file, *files, source, set, omissions);
   }
-  if (set.pictures.empty()) {
-    throw Error({.path = source.string(),
-                 .reason = "no CLASS_N_VIDEO_FRAME_crop.png with a _maskcrop.png; found " +
-                           std::to_string(num_files) + " files",
-                 .remedy = "give the unpacked folder of the cropped pictures (rgbd-dataset)"});
-  }
+  TellOfLack(set.pictures, omissions);
+  omissions.Conclude(set,
+                     {.path = source.string(),
+                      .reason = "no CLASS_N_VIDEO_FRAME_crop.png with a _maskcrop.png; found " +
+                                std::to_string(all.size()) + " files",
+                      .remedy = "give the unpacked folder of the cropped pictures (rgbd-dataset)"});
   return set;
 }
 

@@ -5,11 +5,13 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 #include "tests/datasets/small_demonstration_set.h"
+#include "tests/datasets/small_image_set.h"
 #include "tests/datasets/small_view_set.h"
 #include "tests/support/expect_throws_message.h"
 #include "tests/support/temporary_directory.h"
@@ -116,6 +118,45 @@ TEST(CheckSet, FindsNothingInASoundViewSet) {
   const CheckedSet checked = CheckSet(OpenSet(folder.path()));
   EXPECT_THAT(checked.faults, IsEmpty());
   EXPECT_EQ(checked.num_demonstrations, std::nullopt);
+}
+
+TEST(CheckSet, MissesTheListOfAMadeUpKind) {
+  const TemporaryDirectory folder;
+  WriteViews(testing::MakeViewSet(folder.path()));
+  for (const auto& [kind, list] :
+       {std::pair("demonstrations", "demonstrations.csv"), std::pair("regrasp", "holds.csv")}) {
+    WriteFileAtomically(folder / "dataset.toml", "kind = \"" + std::string(kind) + "\"\n");
+    const CheckedSet checked = CheckSet(OpenSet(folder.path()));
+    ASSERT_THAT(checked.faults, SizeIs(1)) << kind;
+    EXPECT_EQ(checked.faults[0].path, list);
+    EXPECT_EQ(checked.faults[0].reason,
+              "is not there; dataset.toml tells of a set of the kind " + std::string(kind));
+  }
+  WriteFileAtomically(folder / "dataset.toml", "kind = \"turntable\"\n");
+  EXPECT_THAT(CheckSet(OpenSet(folder.path())).faults, IsEmpty());
+  WriteFileAtomically(folder / "dataset.toml", "[camera]\n");
+  EXPECT_THAT(CheckSet(OpenSet(folder.path())).faults, IsEmpty());
+  WriteFileAtomically(folder / "dataset.toml", "kind = ");
+  const CheckedSet damaged = CheckSet(OpenSet(folder.path()));
+  ASSERT_THAT(damaged.faults, SizeIs(1));
+  EXPECT_EQ(damaged.faults[0].path, "dataset.toml");
+}
+
+TEST(CheckSet, NotesPicturesThatNoRowNames) {
+  const TemporaryDirectory folder;
+  LabelledImageSet set = testing::MakeSet(folder.path());
+  WriteManifest(set);
+  EXPECT_THAT(CheckSet(OpenSet(folder.path())).notes, SizeIs(1)) << "d has no good pixel";
+  set.items.erase(set.items.begin());
+  WriteManifest(set);
+  WriteFileAtomically(folder / "notes.txt", "no picture");
+  std::filesystem::create_directory(folder / "other");
+  WriteFileAtomically(folder / "other/a.png", "in no folder of the set");
+  const CheckedSet checked = CheckSet(OpenSet(folder.path()));
+  EXPECT_THAT(checked.faults, IsEmpty());
+  ASSERT_THAT(checked.notes, SizeIs(2));
+  EXPECT_EQ(checked.notes[1].path, "a.png");
+  EXPECT_EQ(checked.notes[1].reason, "is in no row of the list, the first of 2: nothing reads it");
 }
 
 TEST(RewriteSplits, WritesThatColumnAlone) {

@@ -4,6 +4,7 @@
 // Files of others from anywhere: what the importers read ends in a result or in handcraft::Error,
 // and in nothing else. The first byte chooses the reader, the rest is the file.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -23,14 +24,22 @@
 #include "datasets/formats/table.h"
 #include "datasets/formats/view_set.h"
 #include "datasets/importers/base64.h"
+#include "datasets/importers/bop.h"
 #include "datasets/importers/coco.h"
 #include "datasets/importers/coco_runs.h"
+#include "datasets/importers/coil.h"
+#include "datasets/importers/cornell.h"
 #include "datasets/importers/cornell_rectangles.h"
 #include "datasets/importers/cvat.h"
 #include "datasets/importers/cvat_shapes.h"
+#include "datasets/importers/eth80.h"
+#include "datasets/importers/folders.h"
 #include "datasets/importers/jacquard.h"
 #include "datasets/importers/labelme.h"
+#include "datasets/importers/umd.h"
+#include "datasets/importers/washington.h"
 #include "lib/core/error.h"
+#include "lib/core/file.h"
 #include "tests/fuzz/fuzzed_file.h"
 
 namespace handcraft::datasets {
@@ -43,7 +52,8 @@ using testing::Require;
 std::filesystem::path FolderWithPicture(const FuzzedFile& file, const std::string& name) {
   std::filesystem::path folder = file.FolderOf(name);
   if (!std::filesystem::exists(folder / "a.png")) {
-    Require(std::ofstream(folder / "a.png").good());
+    std::ofstream picture(folder / "a.png");
+    Require((picture << "not read").good());
   }
   return folder;
 }
@@ -146,6 +156,82 @@ void ReadHolds(const FuzzedFile& file) {
   for (const Fault& fault : findings.faults) Require(fault.reason.starts_with("the same row as"));
 }
 
+// Files of a format that finds them by their names, two that belong together at least.
+struct SourceTree {
+  SourceSet (*list)(const std::filesystem::path& tree);
+  std::array<const char*, 5> names;  // empty: no more
+};
+constexpr auto kTrees = std::to_array<SourceTree>(
+    {{[](const auto& tree) { return ListCornell(tree, {}); },
+      {"pcd0100r.png", "pcd0100cpos.txt", "pcd0100cneg.txt", "pcd0100.txt", "grasp_type.csv"}},
+     {[](const auto& tree) { return ListJacquard(tree, {}); },
+      {"0_a_RGB.png", "0_a_grasps.txt", "1_a_RGB.png", "1_a_grasps.txt", ""}},
+     {ListWashington,
+      {"a_1_1_1_crop.png",
+       "a_1_1_1_maskcrop.png",
+       "a_1_1_1_depthcrop.png",
+       "a_1_1_1_loc.txt",
+       "a_1_1_1_pose.txt"}},
+     {[](const auto& tree) { return ListEth80(tree, {}); },
+      {"a1-090-000.png",
+       "maps/a1-090-000-map.png",
+       "a1-090-022.png",
+       "maps/a1-090-022-map.png",
+       ""}},
+     {[](const auto& tree) { return ListUmd(tree, UmdRoles()); },
+      {"a_rgb.png", "a_label.mat", "a_label_rank.mat", "b_rgb.jpg", ""}},
+     {[](const auto& tree) { return ListFolders(tree, {}); },
+      {"images/a.png", "masks/a.png", "images/b.jpg", "masks/b.png", ""}},
+     {[](const auto& tree) { return ListCoil(tree, {}); },
+      {"obj1__0.png", "obj1__1.png", "", "", ""}},
+     {[](const auto& tree) { return ListLabelme(tree, {}); },
+      {"a.json", "a.png", "b.json", "b.png", ""}},
+     {[](const auto& tree) { return ListBop(tree, {}); },
+      {"scene_gt.json",
+       "scene_camera.json",
+       "rgb/000000.png",
+       "mask_visib/000000_000000.png",
+       "depth/000000.png"}}});
+
+// Puts nothing there, an empty file, a folder, a link that leads nowhere, or a file of these bytes.
+void PutOneOf(std::uint8_t choice, std::string_view bytes, const std::filesystem::path& path) {
+  std::filesystem::create_directories(path.parent_path());
+  switch (choice % 8) {
+    case 0:
+      return;
+    case 1:
+      return Require(std::ofstream(path).good());
+    case 2:
+      return static_cast<void>(std::filesystem::create_directory(path));
+    case 3:
+      return std::filesystem::create_symlink("nowhere", path);
+    default:
+      break;
+  }
+  std::ofstream file(path, std::ios::binary);
+  Require(file.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).good());
+}
+
+// The first byte chooses the tree, the next ones what stands at each name, the rest is in the
+// files.
+void ListTree(const FuzzedFile& file) {
+  const std::string bytes = ReadTextFile(file.path());
+  if (bytes.empty()) return;
+  const SourceTree& tree = kTrees[static_cast<std::uint8_t>(bytes[0]) % kTrees.size()];
+  const std::filesystem::path folder = file.FolderOf("tree") / "source";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directory(folder);
+  const std::size_t num_choices = tree.names.size() + 1;
+  const std::string_view rest = std::string_view(bytes).substr(std::min(num_choices, bytes.size()));
+  for (std::size_t i = 0; i < tree.names.size() && tree.names[i][0] != '\0'; ++i) {
+    const char choice = i + 1 < bytes.size() ? bytes[i + 1] : '\0';
+    PutOneOf(static_cast<std::uint8_t>(choice), rest, folder / tree.names[i]);
+  }
+  const SourceSet source = tree.list(folder);
+  Require(!source.pictures.empty());
+  for (const Fault& note : source.notes) Require(!note.path.empty() && !note.reason.empty());
+}
+
 constexpr auto kReaders = std::to_array<void (*)(const FuzzedFile&)>({ReadCoco,
                                                                       ReadLabelme,
                                                                       ReadCvatShapes,
@@ -160,7 +246,8 @@ constexpr auto kReaders = std::to_array<void (*)(const FuzzedFile&)>({ReadCoco,
                                                                       ReadViews,
                                                                       ReadDemonstrations,
                                                                       ReadHolds,
-                                                                      ReadPictures});
+                                                                      ReadPictures,
+                                                                      ListTree});
 
 // Texts within files.
 void Decode(std::string_view text) {

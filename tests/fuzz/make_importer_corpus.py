@@ -12,7 +12,9 @@ import sys
 import zlib
 
 (COCO, LABELME, CVAT_SHAPES, CVAT_MASKS, MAT, PCD, RECTANGLES, GRASPS, NPY, TABLE, MANIFEST, VIEWS,
- DEMONSTRATIONS, HOLDS, PICTURES, TEXT) = range(16)
+ DEMONSTRATIONS, HOLDS, PICTURES, TREE, TEXT) = range(17)
+NOTHING, EMPTY, FOLDER, LINK, FILE = range(5)
+(CORNELL, JACQUARD, WASHINGTON, ETH80, UMD, FOLDERS, COIL, LABELME_TREE, BOP) = range(9)
 
 
 def coco(segmentation, **other):
@@ -86,6 +88,40 @@ def labelled():
     yield "text_base64", TEXT, b"Zm9v\nYg=="
 
 
+def tree(importer, *states, content=b"x"):
+    """Five states at most: what stands at each name of the importer's tree."""
+    return bytes([importer, *states, *[NOTHING] * (5 - len(states))]) + content
+
+
+def trees():
+    rectangle = b"4 4\n10 4\n10 8\n4 8\n"
+    bad_rectangle = b"NaN NaN\nNaN 1\n2 3\n4 5\n"
+    yield "tree_cornell", TREE, tree(CORNELL, FILE, FILE, FILE, FILE, content=rectangle)
+    yield "tree_cornell_no_labels", TREE, tree(CORNELL, FILE)
+    yield "tree_cornell_bad_labels", TREE, tree(CORNELL, FILE, FILE, content=bad_rectangle)
+    yield "tree_cornell_no_picture", TREE, tree(CORNELL, NOTHING, NOTHING, NOTHING, FILE)
+    yield "tree_cornell_empty_labels", TREE, tree(CORNELL, FILE, EMPTY)
+    yield "tree_jacquard_no_labels", TREE, tree(JACQUARD, FILE, FILE, FILE, NOTHING,
+                                                content=b"20;15;0;18;4\n")
+    yield "tree_jacquard_folder", TREE, tree(JACQUARD, FILE, FOLDER)
+    yield "tree_washington", TREE, tree(WASHINGTON, FILE, FILE, FILE, NOTHING)
+    yield "tree_washington_no_picture", TREE, tree(WASHINGTON, NOTHING, FILE, FILE, FILE, FILE)
+    yield "tree_eth80_lone_map", TREE, tree(ETH80, FILE, FILE, NOTHING, FILE)
+    yield "tree_eth80_link", TREE, tree(ETH80, FILE, LINK)
+    yield "tree_umd_lone_labels", TREE, tree(UMD, NOTHING, FILE, FILE, FILE)
+    yield "tree_folders_lone_mask", TREE, tree(FOLDERS, FILE, FILE, NOTHING, FILE)
+    yield "tree_folders_folder", TREE, tree(FOLDERS, FOLDER, FILE)
+    yield "tree_coil_empty", TREE, tree(COIL, FILE, EMPTY)
+    yield "tree_labelme", TREE, tree(LABELME_TREE, FILE, FILE, NOTHING, FILE,
+                                     content=labelme("rectangle", [[1, 0], [2, 4]]))
+    yield "tree_labelme_no_picture", TREE, tree(LABELME_TREE, FILE, content=labelme(
+        "rectangle", [[1, 0], [2, 4]]))
+    yield "tree_bop_no_camera", TREE, tree(BOP, FILE, NOTHING, FILE, FILE, content=b"{}")
+    bop = json.dumps({"0": [{"cam_R_m2c": [1, 0, 0, 0, 1, 0, 0, 0, 1], "cam_t_m2c": [0, 0, 1],
+                             "obj_id": 1}]}).encode()
+    yield "tree_bop_no_mask", TREE, tree(BOP, FILE, FILE, FILE, content=bop)
+
+
 def numbers():
     labels = mat_matrix((2, 3), bytes(range(6)))
     yield "mat_plain", MAT, mat(labels)
@@ -132,7 +168,7 @@ def main():
         sys.exit(__doc__)
     folder = pathlib.Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
-    files = [*labelled(), *numbers()]
+    files = [*labelled(), *trees(), *numbers()]
     assert len({name for name, _, _ in files}) == len(files)
     for name, reader, data in files:
         (folder / name).write_bytes(bytes([reader]) + data)

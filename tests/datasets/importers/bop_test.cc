@@ -21,6 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
@@ -173,22 +174,48 @@ TEST_F(ListBopTest, NamesThePlaceOfAFault) {
       {refusal_of(objects_, "/0/0/cam_R_m2c/0", 3), "at /0/0/cam_R_m2c: not a rotation"},
       {refusal_of(objects_, "/0/0/cam_R_m2c", {1, 2}), "at /0/0/cam_R_m2c: 2 numbers; 9 are due"},
       {refusal_of(objects_, "/0/0/cam_t_m2c/1", 1e300), "a number beyond all bounds"},
-      {refusal_of(objects_, "/0/2", Upright(0, 1)), "no mask"},
       {refusal_of(cameras_, "/0/cam_K/0", 0), "scene_camera.json: at /0/cam_K: a focal length"},
       {refusal_of(cameras_, "/0/depth_scale", -1), "at /0/depth_scale: not in (0, 1000]"}};
   for (const auto& [refusal, message] : cases) EXPECT_THAT(refusal, HasSubstr(message));
 }
 
+TEST_F(ListBopTest, LeavesOutWhatIsNotThereOrNotSeen) {
+  const auto texts_of = [](const std::vector<Fault>& notes) {
+    std::vector<std::string> texts;
+    for (const Fault& note : notes) {
+      texts.push_back(fs::path(note.path).filename().string() + ": " + note.reason);
+    }
+    return texts;
+  };
+  WriteImage("1/mask_visib/000000_000000.png", Image(12, 8));  // nothing is seen of the object
+  fs::remove(tree_ / "1/mask_visib/000000_000001.png");
+  const SourceSet source = List();
+  EXPECT_THAT(
+      texts_of(source.notes),
+      ElementsAre(
+          "000000_000001.png: left out: no such mask, of an object in scene_gt.json",
+          "000010.jpg: imported without its cloud: no picture of the same number in depth/"));
+  std::vector<Fault> notes;
+  const ViewSet set =
+      ImportViews(source, out_, {.on_note = [&](const Fault& note) { notes.push_back(note); }});
+  EXPECT_THAT(set.items, SizeIs(1));
+  ASSERT_THAT(notes, SizeIs(3));
+  EXPECT_EQ(notes[2].path, "images/1/000000_000000.png");
+  EXPECT_EQ(notes[2].reason, "left out: no object is seen: its mask has no pixel of one");
+  EXPECT_THAT(FindFaults(ReadViewSet(out_)), IsEmpty());
+  fs::remove(tree_ / "1/gray/000010.jpg");
+  EXPECT_THAT(Refusal(), HasSubstr("no object is seen in this view nor in the others"));
+  fs::remove(tree_ / "1/rgb/000000.png");
+  EXPECT_THAT(Refusal(), HasSubstr("000000.png: left out, the first of 2: no such picture of"));
+}
+
 TEST_F(ListBopTest, RefusesPicturesThatDoNotFit) {
-  WriteImage("1/mask_visib/000000_000000.png", Image(12, 8));
-  EXPECT_THAT(Refusal(), HasSubstr("000000_000000.png: the mask is empty"));
   WriteImage("1/mask_visib/000000_000000.png", Image(8, 12));
   EXPECT_THAT(Refusal(), HasSubstr("the mask is 8x12 pixels, its picture 12x8"));
   AddMask("000000_000000", 5, 4);
   perception::WritePng16(tree_ / "1/depth/000000.png", BasicImage<std::uint16_t>(8, 12));
   EXPECT_THAT(Refusal(), HasSubstr("000000.png: the depth is 8x12 pixels, its picture 12x8"));
   fs::remove(tree_ / "1/rgb/000000.png");
-  EXPECT_THAT(Refusal(), HasSubstr("at /0: no picture "));
   fs::remove(tree_ / "1/scene_camera.json");
   EXPECT_THAT(Refusal(), HasSubstr("scene_camera.json: "));
   fs::remove(tree_ / "1/scene_gt.json");

@@ -115,7 +115,7 @@ TEST_F(ListCvatShapesTest, FindsPictures) {
   ImportPictures(source, out_, {});
   EXPECT_THAT(ReadLabelledImageSet(out_).items, SizeIs(3));
   fs::rename(tree_ / "images", tree_ / "photos");
-  EXPECT_THAT(Refusal(ImageOf("")), HasSubstr("the file name 'a.png' is no file below"));
+  EXPECT_THAT(Refusal(ImageOf("")), HasSubstr("none of its pictures is below "));
   EXPECT_THAT(List(ImageOf(""), {.images = tree_ / "photos"}).pictures, SizeIs(1));
 }
 

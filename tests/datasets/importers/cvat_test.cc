@@ -76,8 +76,11 @@ TEST_F(ListCvatTest, FindsPicturesInAnotherFolder) {
   EXPECT_THAT(ListCvat(tree_, {.images = folder_ / "photos", .roles = {{"handle"}}}).pictures,
               SizeIs(2));
   fs::remove(folder_ / "photos/a.png");
-  EXPECT_THAT(Refusal({.images = folder_ / "photos", .roles = {{"handle"}}}),
-              HasSubstr("default.txt: no picture 'a' in "));
+  const SourceSet source = ListCvat(tree_, {.images = folder_ / "photos", .roles = {{"handle"}}});
+  EXPECT_THAT(source.pictures, SizeIs(1));
+  ASSERT_THAT(source.notes, SizeIs(1));
+  EXPECT_EQ(source.notes[0].path, (tree_ / "SegmentationClass/a.png").string());
+  EXPECT_THAT(source.notes[0].reason, HasSubstr("left out: no picture of this mask in "));
 }
 
 TEST_F(ListCvatTest, RefusesAWrongTree) {
@@ -89,7 +92,7 @@ TEST_F(ListCvatTest, RefusesAWrongTree) {
     EXPECT_THAT(Refusal(), HasSubstr("leads out of")) << name;
   }
   WriteText(names, "c");
-  EXPECT_THAT(Refusal(), HasSubstr("the file name 'c.png' is no file below"));
+  EXPECT_THAT(Refusal(), HasSubstr("SegmentationClass/c.png: left out: no such mask, which "));
   WriteText(names, "\n \n");
   EXPECT_THAT(Refusal(), HasSubstr("Segmentation: no *.txt with names of pictures"));
   fs::remove_all(tree_ / "ImageSets");

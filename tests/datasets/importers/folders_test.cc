@@ -77,21 +77,26 @@ TEST_F(ListFoldersTest, TakesMasksBelowThePictures) {
   WritePair("a_rgb.png", "masks/a.png");
   EXPECT_THAT(ListFolders(tree_, {.images = ".", .image_suffix = "_rgb"}).pictures, SizeIs(1));
   WritePair("masks/sub/b_rgb.png", "masks/b.png");
-  EXPECT_THROWS_MESSAGE(ListFolders(tree_, {.images = ".", .image_suffix = "_rgb"}),
-                        Error,
-                        HasSubstr("masks/b.png: has no picture"));
+  const SourceSet set = ListFolders(tree_, {.images = ".", .image_suffix = "_rgb"});
+  EXPECT_THAT(set.pictures, SizeIs(1));
+  ASSERT_THAT(set.notes, SizeIs(1));
+  EXPECT_EQ(set.notes[0].path, (tree_ / "masks/b.png").string());
 }
 
-TEST_F(ListFoldersTest, WantsAPartnerForEachFile) {
+TEST_F(ListFoldersTest, LeavesOutWhatHasNoPartner) {
   WritePair("images/a.png", "masks/a.png");
   WriteImage("images/b.png", 4, 1);
-  EXPECT_THROWS_MESSAGE(
-      ListFolders(tree_, {}),
-      Error,
-      HasSubstr("images/b.png: has no mask: expected " + (tree_ / "masks/b").string() + ".*"));
+  const SourceSet set = ListFolders(tree_, {});
+  EXPECT_THAT(set.pictures, SizeIs(1));
+  ASSERT_THAT(set.notes, SizeIs(1));
+  EXPECT_EQ(set.notes[0].path, (tree_ / "images/b.png").string());
+  EXPECT_EQ(set.notes[0].reason, "left out: no mask: expected " + (tree_ / "masks/….*").string());
   fs::rename(tree_ / "images/b.png", tree_ / "masks/b.png");
-  EXPECT_THROWS_MESSAGE(
-      ListFolders(tree_, {}), Error, HasSubstr("masks/b.png: has no picture: expected "));
+  const SourceSet other = ListFolders(tree_, {});
+  ASSERT_THAT(other.notes, SizeIs(1));
+  EXPECT_EQ(other.notes[0].path, (tree_ / "masks/b.png").string());
+  EXPECT_EQ(other.notes[0].reason,
+            "left out: no picture: expected " + (tree_ / "images/….*").string());
   WriteImage("images/a.bmp", 4, 1);
   EXPECT_THROWS_MESSAGE(
       ListFolders(tree_, {}), Error, HasSubstr("images/a.png: stands for the same picture as "));
@@ -110,8 +115,8 @@ TEST_F(ListFoldersTest, SaysWhatWasExpectedAndFound) {
   WriteText("images/notes.txt", "");
   EXPECT_THROWS_MESSAGE(ListFolders(tree_, {}),
                         Error,
-                        HasSubstr("no picture *.png, .jpg, .bmp, .ppm or "
-                                  ".pgm; found 1 files"));
+                        HasSubstr("no picture *.png, .jpg, .bmp, .ppm or .pgm with a mask; "
+                                  "found 0 pictures and 0 masks"));
   EXPECT_THROWS_MESSAGE(ListFolders(tree_, {.images = "./masks", .masks = "masks/"}),
                         Error,
                         HasSubstr("the same folder and the same suffix"));

@@ -103,9 +103,11 @@ TEST(TellNotes, GoesThroughThePicturesInOrder) {
       {},
       {{.path = "c", .reason = ""}}};
   std::string told;
-  TellNotes(notes, {.on_note = [&](const Fault& note) { told += note.path; }});
-  EXPECT_EQ(told, "abc");
-  EXPECT_NO_THROW(TellNotes(notes, {})) << "nobody listens";
+  TellNotes({{.path = "s", .reason = ""}}, notes, {.on_note = [&](const Fault& note) {
+              told += note.path;
+            }});
+  EXPECT_EQ(told, "sabc");
+  EXPECT_NO_THROW(TellNotes({}, notes, {})) << "nobody listens";
 }
 
 }  // namespace

@@ -117,11 +117,13 @@ TEST_F(ListJacquardTest, SaysWhatWasExpectedAndFound) {
   AddScene("", "0_a");
   AddScene("", "0_b");
   fs::remove(tree_ / "0_a_grasps.txt");
-  WriteText("0_b_grasps.txt", "");
+  WriteText("0_b_grasps.txt", "1;2;3;0;5\n");
   EXPECT_THROWS_MESSAGE(ListJacquard(tree_, {}),
                         Error,
                         AllOf(HasSubstr("no *_RGB.png with grasps in its *_grasps.txt"),
-                              HasSubstr("found 2 pictures and 1 files of grasps")));
+                              HasSubstr("found 2 pictures and 1 files of grasps"),
+                              HasSubstr("0_a_RGB.png: left out: no *_grasps.txt beside it"),
+                              HasSubstr("0_b_grasps.txt: left out: no usable rectangle in it")));
   EXPECT_THROWS_MESSAGE(ListJacquard(tree_ / "no", {}), Error, HasSubstr("cannot read the folder"));
   EXPECT_THROWS_MESSAGE(
       ListJacquard(tree_, {.good_share = 2}), Error, HasSubstr("good_share is 2"));

@@ -137,7 +137,8 @@ TEST_F(ListLabelmeTest, NamesThePlaceOfAFault) {
       {refusal_of("/imageHeight", -1), "at /imageHeight: -1; a whole number"},
       {refusal_of("/imageHeight", 5), "the labelled picture is 6x5 pixels, its picture 6x4"},
       {refusal_of("/imagePath", nullptr), "at /imagePath: null; a text is due"},
-      {refusal_of("/imagePath", "no.png"), "'no.png' is no file below"},
+      {refusal_of("/imagePath", "no.png"),
+       "a.json: left out: the picture that it names is not there"},
       {refusal_of("/imageData", "?"), "at /imageData: the embedded picture is not base64"},
       {refusal_of("/imageData", "Zm9v"), "is not PNG, JPEG, BMP, PGM or PPM"},
       {refusal_of("/imageData", "iVBORw=="), "the embedded picture: "}};
@@ -153,8 +154,9 @@ TEST_F(ListLabelmeTest, RefusesNamesThatLeadOut) {
 }
 
 TEST_F(ListLabelmeTest, RefusesAWrongTree) {
-  EXPECT_THROWS_MESSAGE(
-      ListLabelme(tree_, {}), Error, HasSubstr("no LabelMe file *.json; found 0 other files"));
+  EXPECT_THROWS_MESSAGE(ListLabelme(tree_, {}),
+                        Error,
+                        HasSubstr("no LabelMe file *.json with its picture; found 0 files"));
   EXPECT_THAT(Refusal({{"images", json::array()}}), HasSubstr("a.json: no member 'shapes'"));
   EXPECT_THAT(Refusal(Annotation("a.png"), {.good = {"handle"}}),
               HasSubstr("nothing is labelled 'handle'; there are: 'good'"));

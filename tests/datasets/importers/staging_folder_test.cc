@@ -45,6 +45,17 @@ TEST(StagingFolder, GoesAwayUnlessMoved) {
   EXPECT_EQ(NumEntries(parent.path()), 0);
 }
 
+TEST(StagingFolder, RemovesAFileAndTheFoldersItLeavesEmpty) {
+  const TemporaryDirectory parent;
+  StagingFolder staging(parent / "set");
+  for (const char* name : {"a", "a/b", "c"}) staging.AddFolder(name);
+  for (const char* name : {"a/b/f", "c/f", "c/g"}) WriteFileAtomically(staging.path() / name, "x");
+  for (const char* name : {"a/b/f", "c/f", "c/no"}) staging.Remove(name);
+  EXPECT_FALSE(fs::exists(staging.path() / "a"));
+  EXPECT_EQ(NumEntries(staging.path() / "c"), 1);
+  EXPECT_TRUE(fs::exists(staging.path() / "c/g"));
+}
+
 TEST(StagingFolder, TakesAnEmptyFolderAndATrailingSlash) {
   const TemporaryDirectory parent;
   fs::create_directory(parent / "set");

@@ -124,17 +124,19 @@ TEST_F(ListUmdTest, RefusesMatricesThatDoNotFit) {
   EXPECT_THAT(Refusal(), HasSubstr("_label.mat: a label beyond 0 ... 7 at column 2, row 3"));
   WriteText(kLabels, MatFile("labels", {1, 1}, "0"));
   EXPECT_THAT(Refusal(), HasSubstr("no array 'gt_label'; there are: 'labels'"));
-  WriteText(kLabels, "");
+  WriteText(kLabels, "MATLAB");
   EXPECT_THAT(Refusal(), HasSubstr("not a MAT-file of level 5"));
 }
 
 TEST_F(ListUmdTest, SaysWhatWasExpectedAndFound) {
   fs::remove(tree_ / kLabels);
   EXPECT_THAT(Refusal(),
-              AllOf(HasSubstr("mug_01_00000001_rgb.jpg: has no labels: expected"),
-                    HasSubstr("mug_01_00000001_label.mat or mug_01_00000001_label_rank.mat")));
+              AllOf(HasSubstr("mug_01_00000001_rgb.jpg: left out: no *_label.mat or"),
+                    HasSubstr("no *_rgb.jpg with labels; found 1 files")));
   fs::rename(tree_ / "tools/mug_01/mug_01_00000001_rgb.jpg", tree_ / "tools/a.jpg");
-  EXPECT_THAT(Refusal(), HasSubstr("no *_rgb.jpg; found 1 other files"));
+  EXPECT_THAT(Refusal(), HasSubstr("no *_rgb.jpg with labels; found 1 files"));
+  EXPECT_THAT(Refusal({.good = {"handle"}}), HasSubstr("no *_rgb.jpg with labels; found 1 files"))
+      << "labels are asked of the right tree alone";
   fs::remove_all(tree_);
   EXPECT_THAT(Refusal(), HasSubstr("cannot read the folder"));
 }

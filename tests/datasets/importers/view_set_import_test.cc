@@ -65,16 +65,26 @@ TEST_F(ImportViewsTest, WritesASetWithoutFaults) {
   EXPECT_TRUE(view.cloud->At(3, 2).isApprox(Eigen::Vector3f(0.5F, 0, 0.1F)));
 }
 
-TEST_F(ImportViewsTest, TellsOfAViewWithoutAnObject) {
+TEST_F(ImportViewsTest, LeavesOutAViewWithoutAnObject) {
   SourceSet source = Source();
   source.pictures[1].make_mask = [](int width, int height) { return Image(width, height); };
   std::vector<std::string> told;
   const auto tell = [&](const Fault& note) { told.push_back(note.path + ": " + note.reason); };
   const ViewSet set = ImportViews(std::move(source), out_, {.on_note = tell});
   EXPECT_THAT(told,
-              ElementsAre("object_masks/cup/b.png: no pixel of an object (255): handcraft data "
-                          "check refuses the set"));
-  EXPECT_THAT(FindFaults(set), SizeIs(1)) << "which is what it tells";
+              ElementsAre((tree_ / "cup/b.png").string() +
+                          ": left out: no object is seen: its mask has no pixel of one"));
+  EXPECT_THAT(set.items, SizeIs(1));
+  EXPECT_THAT(FindFaults(ReadViewSet(out_)), IsEmpty());
+  EXPECT_FALSE(std::filesystem::exists(out_ / "images/cup/b.png"));
+  source = Source();
+  for (SourcePicture& picture : source.pictures) {
+    picture.make_mask = [](int width, int height) { return Image(width, height); };
+  }
+  EXPECT_THROWS_MESSAGE(ImportViews(source, folder_ / "none", {}),
+                        Error,
+                        HasSubstr("cup/a.png: no object is seen in this view nor in the others"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "none"));
 }
 
 TEST_F(ImportViewsTest, LeavesNothingBehindOnFailure) {

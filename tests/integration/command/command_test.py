@@ -11,6 +11,7 @@ import os
 import pathlib
 import pty
 import resource
+import shutil
 import signal
 import subprocess
 import sys
@@ -99,6 +100,59 @@ class CommandTest(unittest.TestCase):
                                      "--resamples", "10", preexec_fn=full_disk(20000))
         self.assert_fails(process, 3, "cannot write")
         self.assertEqual(self.left_behind(), ["model"])
+
+    def import_samples(self, out, **options):
+        return self.run_handcraft("data", "import", "folders", IMAGES, "--image-suffix", "r",
+                                  "--good", "255", "--dont-care", "128", "--threads", "1",
+                                  "--out", out, **options)
+
+    def bytes_of(self, folder):
+        root = self.folder / folder
+        return {path.relative_to(root): path.read_bytes()
+                for path in sorted(root.rglob("*")) if path.is_file()}
+
+    def assert_starts_again(self, whole):
+        """Nothing of a stopped import is where its set was to be; another makes all of it."""
+        self.assertFalse((self.folder / "again").exists())
+        process = self.import_samples("again")
+        self.assertEqual(process.returncode, 0, process.stderr)
+        self.assertEqual(self.bytes_of("again"), whole)
+        shutil.rmtree(self.folder / "again")
+
+    def test_a_killed_import_leaves_no_part_of_a_set(self):
+        self.assertEqual(self.import_samples("set").returncode, 0)
+        whole = self.bytes_of("set")
+        # The system ends the program at its first write beyond a size that some pictures have.
+        sizes = sorted(len(data) for name, data in whole.items() if name.parts[0] == "images")
+        for max_bytes in (100, sizes[len(sizes) // 2], sizes[-1] - 1):
+            process = self.import_samples("again", preexec_fn=lambda limit=max_bytes: (
+                resource.setrlimit(resource.RLIMIT_CORE, (0, 0)),
+                signal.signal(signal.SIGXFSZ, signal.SIG_DFL),
+                resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))))
+            self.assertEqual(process.returncode, -signal.SIGXFSZ, process.stderr)
+            self.assertTrue(list(self.folder.glob("again.*")), "what it had begun lies beside")
+            self.assert_starts_again(whole)
+
+    def test_an_import_killed_at_any_time_starts_again(self):
+        self.assertEqual(self.import_samples("set").returncode, 0)
+        whole = self.bytes_of("set")
+        for num_files in (0, 3, 20):
+            process = subprocess.Popen(
+                [str(HANDCRAFT), "data", "import", "folders", str(IMAGES), "--image-suffix", "r",
+                 "--good", "255", "--dont-care", "128", "--out", "again"], cwd=self.folder,
+                stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            while process.poll() is None:
+                begun = list(self.folder.glob("again.*/again/**/*.png"))
+                if len(begun) >= num_files and list(self.folder.glob("again.*")):
+                    break
+            process.kill()
+            process.wait(timeout=120)
+            if (self.folder / "again").exists():  # it was done before: whole, then
+                self.assertEqual(self.bytes_of("again"), whole)
+                shutil.rmtree(self.folder / "again")
+            self.assert_starts_again(whole)
+            for left in self.folder.glob("again.*"):
+                shutil.rmtree(left)
 
     def test_a_full_standard_output_is_an_error(self):
         for args in (("train", "logistic", TABLE, "--label", "class"), ("--help",)):

@@ -105,6 +105,19 @@ TEST(ReadImage, AppliesTheRotationTag) {
   EXPECT_LT(image.At(8, 28), 15);
 }
 
+// Adversary: the standard knows the tags 1 to 8.
+TEST(ReadImage, TakesAnUnknownRotationTagForNone) {
+  const testing::TemporaryDirectory folder;
+  for (const std::uint16_t orientation : {0, 9, 65535}) {
+    testing::WriteTurnedJpeg(folder / "turned.jpg", 32, 16, orientation);
+    const Image image = ReadImage(folder / "turned.jpg");
+    ASSERT_EQ(image.width(), 32) << orientation;
+    ASSERT_EQ(image.height(), 16) << orientation;
+    EXPECT_GT(image.At(4, 8), 240) << orientation;
+    EXPECT_LT(image.At(28, 8), 15) << orientation;
+  }
+}
+
 TEST(ReadImage, ReadsWhatWasWritten) {
   const testing::TemporaryDirectory folder;
   const std::filesystem::path path = folder / "Käfer & \"Co\" 象.png";

@@ -145,8 +145,29 @@ TEST_F(DataImport, NamesFilesOnOneLine) {
   const Outcome outcome =
       RunLine("data import folders " + (folder_ / "source").string() +
               " --images . --masks . --mask-suffix _mask --out " + out_.string());
-  EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("line\\nend.png: has no mask: expected "));
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("line\\nend.png: left out: no mask: expected "));
+}
+
+TEST_F(DataImport, TellsOfWhatIsLeftOut) {
+  const std::filesystem::path source = folder_ / "source";
+  std::filesystem::copy(kTree, source);
+  for (const char* name : {"pcd0100cpos.txt", "pcd0110cpos.txt", "pcd0120r.png"}) {
+    std::filesystem::remove(source / name);
+  }
+  const std::string line = "data import cornell " + source.string() + " --split-gap 0 --out ";
+  const Outcome outcome = RunLine(line + out_.string());
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, StartsWith("Wrote 3 images with masks to "));
+  EXPECT_THAT(outcome.err,
+              AllOf(HasSubstr("pcd0100r.png: left out, the first of 2: no pcdNNNNcpos.txt of this"),
+                    HasSubstr("pcd0120cpos.txt: left out: no pcdNNNNr.png of this number")));
+  std::filesystem::remove_all(out_);
+  const auto json = nlohmann::json::parse(RunLine(line + out_.string() + " --json").out);
+  ASSERT_EQ(json["notes"].size(), 2U);
+  EXPECT_EQ(json["notes"][0]["path"], (source / "pcd0100r.png").string());
+  EXPECT_EQ(json["notes"][0]["reason"],
+            "left out, the first of 2: no pcdNNNNcpos.txt of this number");
 }
 
 TEST_F(DataImport, SaysThatTheSourceIsNotThere) {
