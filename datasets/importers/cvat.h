@@ -21,8 +21,9 @@ struct CvatOptions {
 /// cvat_shapes.h; labelmap.txt, "Segmentation mask 1.1": lines label:red,green,blue:parts:actions
 /// in it, the names in ImageSets/Segmentation/*.txt and a coloured mask SegmentationClass/NAME.png
 /// for each. Black means nothing unless labelmap.txt says otherwise. Each picture is an instance of
-/// its own; the class is the first folder of its name, else "object". Throws Error when a file is
-/// missing, has another form, or a mask holds a colour that no label has. Source: CVAT's
+/// its own; the class is the first folder of its name, else "object". A picture that is missing, or
+/// whose mask is, is left out and stands in the notes. Throws Error when a list is missing, a file
+/// has another form, or a mask holds a colour that no label has. Source: CVAT's
 /// documentation, "Formats".
 [[nodiscard]] SourceSet ListCvat(const std::filesystem::path& source, const CvatOptions& options);
 

@@ -204,9 +204,10 @@ TEST_F(ListBopTest, LeavesOutWhatIsNotThereOrNotSeen) {
   EXPECT_EQ(notes[2].reason, "left out: no object is seen: its mask has no pixel of one");
   EXPECT_THAT(FindFaults(ReadViewSet(out_)), IsEmpty());
   fs::remove(tree_ / "1/gray/000010.jpg");
+  fs::remove_all(out_);
   EXPECT_THAT(Refusal(), HasSubstr("no object is seen in this view nor in the others"));
   fs::remove(tree_ / "1/rgb/000000.png");
-  EXPECT_THAT(Refusal(), HasSubstr("000000.png: left out, the first of 2: no such picture of"));
+  EXPECT_THAT(Refusal(), HasSubstr("000000.png: left out, the first of 3: no such picture of"));
 }
 
 TEST_F(ListBopTest, RefusesPicturesThatDoNotFit) {

@@ -61,7 +61,8 @@ TEST_F(ListEth80Test, GivesFlatCloudsWhenAsked) {
 
 TEST_F(ListEth80Test, SaysWhatWasExpectedAndFound) {
   AddView("cup3", "cup3-090-022");
-  EXPECT_THAT(Refusal({.polar_deg = 22}), HasSubstr("with PPP = 22; angles PPP found: 90"));
+  EXPECT_THAT(Refusal({.polar_deg = 22}),
+              HasSubstr("with PPP = 22 and its silhouette; angles PPP found: 90"));
   EXPECT_THAT(Refusal({.polar_deg = 91}), HasSubstr("Eth80Options.polar_deg is 91"));
   WriteImage("cup3/maps/cup3-090-022-map.png", 2, 2);
   EXPECT_THAT(Refusal(), HasSubstr("cup3-090-022-map.png: a colour at column 0, row 0"));

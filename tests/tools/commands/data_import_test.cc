@@ -116,8 +116,10 @@ TEST_F(DataImport, TellsOfShapesThatCoverNothing) {
                     HasSubstr("masks/p0.png: no good pixel (255): training draws nothing")));
   std::filesystem::remove_all(out_);
   const auto json = nlohmann::json::parse(RunLine(line + " --json").out);
-  ASSERT_EQ(json["notes"].size(), 2U);
-  EXPECT_EQ(json["notes"][1]["path"], "masks/p0.png");
+  ASSERT_EQ(json["notes"].size(), 3U);
+  EXPECT_EQ(json["notes"][0]["reason"],
+            "left out, the first of 11: no LabelMe file names this picture");
+  EXPECT_EQ(json["notes"][2]["path"], "masks/p0.png");
 }
 
 TEST_F(DataImport, TellsOfTenNotesAndHowManyMore) {
