@@ -21,8 +21,8 @@ function(handcraft_add_test path)
     target_link_options(${target} PRIVATE -fuse-ld=gold)
   endif()
   target_compile_options(${target} PRIVATE -Og)  # quicker to compile; what is tested keeps its flags
-  target_compile_definitions(${target} PRIVATE
-    HANDCRAFT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  # Seen from tests/, so that the compiler cache serves every clone.
+  target_compile_definitions(${target} PRIVATE HANDCRAFT_SOURCE_DIR="..")
   add_test(NAME ${path} COMMAND ${target} WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}/tests")
   handcraft_label_test(${path} ${target})
 endfunction()

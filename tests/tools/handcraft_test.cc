@@ -232,7 +232,7 @@ TEST(RunHandcraft, SaysWhenStandardOutputTakesNoMore) {
 // ./demo. `bench` is left out: it takes minutes.
 TEST(RunHandcraft, ExamplesWorkAsPrinted) {
   const TemporaryDirectory root;
-  const std::filesystem::path source = HANDCRAFT_SOURCE_DIR;
+  const std::filesystem::path source = std::filesystem::absolute(HANDCRAFT_SOURCE_DIR);
   for (const char* name : {"datasets", "tests", "docs"}) {
     std::filesystem::create_directory_symlink(source / name, root / name);
   }

@@ -21,8 +21,9 @@ using ::testing::HasSubstr;
 RobotArm ReadLeftArmWith(const std::string& lines) {
   const handcraft::testing::TemporaryDirectory folder;
   WriteFileAtomically(folder / "arm.toml",
-                      "urdf = '" HANDCRAFT_SOURCE_DIR
-                      "/models/robots/dual_wam/dual_wam.urdf'\nbase = 'base'\ntip = 'left_tool'\n" +
+                      "urdf = '" + std::filesystem::absolute(HANDCRAFT_SOURCE_DIR).string() +
+                          "/models/robots/dual_wam/dual_wam.urdf'\n"
+                          "base = 'base'\ntip = 'left_tool'\n" +
                           lines);
   return ReadRobotFile(folder / "arm.toml");
 }
