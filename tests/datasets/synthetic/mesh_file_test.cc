@@ -158,7 +158,7 @@ TEST_F(ReadMeshFileTest, RefusesAFlatMeshUnlessItStands) {
 TEST_F(ReadMeshFileTest, RefusesAMeshWithoutTextureCoordinates) {
   WriteFileAtomically(folder_ / "box.obj", "v 0 0 0\nv .1 0 0\nv 0 .1 0\nf 1 2 3\n");
   perception::WritePng(folder_ / "labels.png", Image(8, 8));
-  EXPECT_THROWS_MESSAGE((void)Read({.texture = folder_ / "labels.png"}),
+  EXPECT_THROWS_MESSAGE((void)Read({.up = UpAxis::kY, .texture = folder_ / "labels.png"}),
                         Error,
                         HasSubstr("face 0 has no texture coordinates"));
 }

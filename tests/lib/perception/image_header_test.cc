@@ -140,7 +140,7 @@ TEST(ReadImageHeader, RefusesInksThatNothingExplains) {
   EXPECT_FALSE(read(testing::InkCode::kYcck).gray);
   EXPECT_THROWS_MESSAGE(read(testing::InkCode::kUnmarked),
                         Error,
-                        AllOf(HasSubstr("file, byte 80: a JPEG of four inks"),
+                        AllOf(HasSubstr("file at byte 80: a JPEG of four inks"),
                               HasSubstr("without Adobe's marker"),
                               HasSubstr("(convert it to RGB)")));
 }
