@@ -17,6 +17,7 @@
 
 #include "datasets/parallel_reporting.h"
 #include "lib/core/check.h"
+#include "lib/core/counted.h"
 #include "lib/core/error.h"
 #include "lib/core/option_rules.h"
 #include "lib/perception/image_header.h"
@@ -66,15 +67,14 @@ void Place(const Image& picture, const Tile& tile, Image& sheet) {
 }
 
 // OpenCV's letters are ASCII; of a longer text the end tells more than the beginning.
-void WriteCaption(std::string text, const Tile& tile, Image& sheet) {
+void WriteCaption(std::string text, const cv::Rect& place, Image& sheet) {
   constexpr double kFontScale = 0.35;
   constexpr int kLetterPx = 7;  // the widest letter at that scale
-  const auto room = static_cast<std::size_t>(std::max(tile.width / kLetterPx, 2));
+  const auto room = static_cast<std::size_t>(std::max(place.width / kLetterPx, 2));
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   if (text.size() > room) text = ".." + text.substr(text.size() - (room - 2));
-  cv::Mat strip =
-      Pixels(sheet)(cv::Rect(tile.left, tile.top + tile.Height(), tile.width, kCaptionPx));
+  cv::Mat strip = Pixels(sheet)(place);
   cv::putText(strip,
               text,
               {1, kCaptionPx - 5},
@@ -136,6 +136,64 @@ void RequireTileWidth(const std::string& field, int width_px) {
 void RequireUpTo100(const std::string& field, int value) {
   RequireOption(value >= 1 && value <= 100, field, value, "from 1 to 100");
 }
+
+// The pictures of a page.
+struct PageRange {
+  std::size_t first = 0;
+  std::size_t count = 0;
+};
+
+// Throws Error for a page that is not there.
+PageRange PicturesOf(const PageOptions& options, std::size_t num_pictures) {
+  const int num_pages = NumPages(num_pictures, options);
+  if (options.page > num_pages) {
+    throw Error({.kind = Error::Kind::kUsage,
+                 .reason = fmt::format("no page {}; the last is page {} ({}, {} a page)",
+                                       options.page,
+                                       num_pages,
+                                       Counted(num_pictures, "picture"),
+                                       options.columns * options.rows)});
+  }
+  const auto per_page = static_cast<std::size_t>(options.columns * options.rows);
+  const std::size_t first = per_page * static_cast<std::size_t>(options.page - 1);
+  return {first, std::min(per_page, num_pictures - first)};
+}
+
+// Where things stand on a page: a cell a picture, tiles above and the caption below.
+class PageCells {
+ public:
+  explicit PageCells(const PageOptions& options)
+      : columns_(options.columns),
+        tile_width_px_(options.tile_width_px),
+        width_px_(options.tile_width_px * (options.shows_first ? 2 : 1)) {}
+
+  [[nodiscard]] Image SheetFor(std::size_t count) const {
+    const int num_cells = static_cast<int>(count);
+    const int num_rows = (num_cells + columns_ - 1) / columns_;
+    return BlackSheet((width_px_ + kGapPx) * std::min(columns_, num_cells), Height() * num_rows);
+  }
+
+  [[nodiscard]] Tile FirstTile(std::size_t index) const {
+    const int i = static_cast<int>(index);
+    return {.left = (width_px_ + kGapPx) * (i % columns_),
+            .top = Height() * (i / columns_),
+            .width = tile_width_px_};
+  }
+
+  [[nodiscard]] cv::Rect Caption(std::size_t index) const {
+    const Tile tile = FirstTile(index);
+    return {tile.left, tile.top + tile.Height(), width_px_, kCaptionPx};
+  }
+
+ private:
+  [[nodiscard]] int Height() const {
+    return Tile{.width = tile_width_px_}.Height() + kCaptionPx + kGapPx;
+  }
+
+  int columns_ = 1;
+  int tile_width_px_ = 0;
+  int width_px_ = 0;  // of what a cell shows
+};
 
 }  // namespace
 
@@ -200,31 +258,22 @@ int NumPages(std::size_t num_pictures, const PageOptions& options) {
 
 Image DrawPage(const std::vector<SheetPicture>& pictures, const PageOptions& options) {
   options.Validate();
-  if (options.page > NumPages(pictures.size(), options)) {
-    throw Error({.kind = Error::Kind::kUsage,
-                 .reason = fmt::format("no page {}: {} pictures fill {} pages of {}",
-                                       options.page,
-                                       pictures.size(),
-                                       NumPages(pictures.size(), options),
-                                       options.columns * options.rows)});
-  }
-  const auto columns = static_cast<std::size_t>(options.columns);
-  const std::size_t per_page = columns * static_cast<std::size_t>(options.rows);
-  const std::size_t first = per_page * static_cast<std::size_t>(options.page - 1);
-  const std::size_t count = std::min(per_page, pictures.size() - first);
-  const int width = options.tile_width_px;
-  const int cell_height = Tile{.width = width}.Height() + kCaptionPx + kGapPx;
-  const std::size_t used_rows = (count + columns - 1) / columns;
-  Image sheet = BlackSheet((width + kGapPx) * static_cast<int>(std::min(columns, count)),
-                           cell_height * static_cast<int>(used_rows));
+  const PageRange shown = PicturesOf(options, pictures.size());
+  const PageCells cells(options);
+  Image sheet = cells.SheetFor(shown.count);
   const auto draw = [&](std::size_t i) {
-    const Tile tile{.left = (width + kGapPx) * static_cast<int>(i % columns),
-                    .top = cell_height * static_cast<int>(i / columns),
-                    .width = width};
-    Place(pictures[first + i].draw().back(), tile, sheet);
-    WriteCaption(pictures[first + i].caption, tile, sheet);
+    const SheetPicture& picture = pictures[shown.first + i];
+    const std::vector<Image> drawn = picture.draw();
+    Tile tile = cells.FirstTile(i);
+    if (options.shows_first) {
+      Place(drawn.front(), tile, sheet);
+      tile.left += tile.width;
+    }
+    Place(drawn.back(), tile, sheet);
+    WriteCaption(picture.caption, cells.Caption(i), sheet);
   };
-  ParallelForReporting(count, options.num_threads, options.progress, "drawing pictures", draw);
+  ParallelForReporting(
+      shown.count, options.num_threads, options.progress, "drawing pictures", draw);
   RoundColours(sheet);
   return sheet;
 }

@@ -48,10 +48,11 @@ struct OverviewOptions {
                                  const OverviewOptions& options);
 
 struct PageOptions {
-  int page = 1;             ///< which, from 1
-  int columns = 6;          ///< pictures side by side; 1 ... 100
-  int rows = 8;             ///< 1 ... 100
-  int tile_width_px = 160;  ///< 16 ... 640
+  int page = 1;              ///< which, from 1
+  int columns = 6;           ///< pictures side by side; 1 ... 100
+  int rows = 8;              ///< 1 ... 100
+  int tile_width_px = 160;   ///< 16 ... 640
+  bool shows_first = false;  ///< beside the last picture that it draws the first: the whole
   int num_threads = 1;
   Progress progress = {};
 
@@ -63,8 +64,9 @@ struct PageOptions {
 [[nodiscard]] int NumPages(std::size_t num_pictures, const PageOptions& options);
 
 /// One page of all the pictures in their order, each with its labels alone (the last that it draws)
-/// and its caption. Draws no picture but those of the page, so a large set can be leafed through.
-/// Throws Error(kUsage) for a page that is not there.
+/// or with `shows_first` the whole picture before them, and its caption. Draws no picture but those
+/// of the page, so a large set can be leafed through. Throws Error(kUsage) for a page that is not
+/// there.
 [[nodiscard]] Image DrawPage(const std::vector<SheetPicture>& pictures, const PageOptions& options);
 
 }  // namespace handcraft::datasets

@@ -40,11 +40,13 @@ struct Stroke {
   std::array<int, 3> bgr;
 };
 
-std::array<Stroke, 4> Strokes() {
+std::array<Stroke, 4> Strokes(Hand hand) {
+  const std::array<int, 3> stem_bgr =
+      hand == Hand::kRight ? std::array{60, 220, 255} : std::array{255, 90, 230};
   const Vector3f palm(0.0F, 0.0F, kPalmM);
   const Vector3f side(kHalfWidthM, 0.0F, 0.0F);
-  return {{{Vector3f(0.0F, 0.0F, kStemM), palm, {60, 220, 255}},
-           {palm - side, palm + side, {60, 220, 255}},
+  return {{{Vector3f(0.0F, 0.0F, kStemM), palm, stem_bgr},
+           {palm - side, palm + side, stem_bgr},
            {palm + side, side, {0, 120, 255}},
            {palm - side, -side, {255, 120, 0}}}};
 }
@@ -57,17 +59,29 @@ std::vector<std::size_t> SpreadEvenly(const std::vector<std::size_t>& all, int c
   return chosen;
 }
 
-// For each view, by its image, the poses shown in it.
-using PosesOfViews = std::map<std::string, std::vector<EndEffectorPose>, std::less<>>;
+struct ShownPoses {
+  std::vector<EndEffectorPose> right;
+  std::vector<EndEffectorPose> left;
+};
 
-PosesOfViews GroupPoses(const DemonstrationSet& set, int poses_per_view) {
+void Add(const Demonstration& shown, ShownPoses& poses) { poses.right.push_back(shown.pose); }
+
+void Add(const Hold& hold, ShownPoses& poses) {
+  poses.right.push_back(hold.right);
+  poses.left.push_back(hold.left);
+}
+
+// For each view, by its image, the poses shown in it.
+using PosesOfViews = std::map<std::string, ShownPoses, std::less<>>;
+
+template <class Set>
+PosesOfViews GroupPoses(const Set& set, int poses_per_view) {
   std::map<std::string, std::vector<std::size_t>, std::less<>> rows;
   for (std::size_t i = 0; i < set.items.size(); ++i) rows[set.items[i].view].push_back(i);
   PosesOfViews poses;
   for (const auto& [view, indices] : rows) {
-    for (const std::size_t i : SpreadEvenly(indices, poses_per_view)) {
-      poses[view].push_back(set.items[i].pose);
-    }
+    ShownPoses& of_view = poses[view];
+    for (const std::size_t i : SpreadEvenly(indices, poses_per_view)) Add(set.items[i], of_view);
   }
   return poses;
 }
@@ -104,7 +118,7 @@ cv::Mat PixelsOf(Image& image) { return {image.height(), image.width(), CV_8UC3,
 
 Image DrawTile(const ViewSet& views,
                std::size_t index,
-               const std::vector<EndEffectorPose>& poses,
+               const ShownPoses& poses,
                const cv::Size& size) {
   const ObjectView& item = views.items[index];
   const LoadedView view = ReadView(views, index);
@@ -125,8 +139,33 @@ Image DrawTile(const ViewSet& views,
   Image tile(size.width, size.height, 3);
   cv::Mat tile_pixels = PixelsOf(tile);
   cv::resize(PixelsOf(picture)(part), tile_pixels, size, 0.0, 0.0, cv::INTER_AREA);
-  DrawHands(tile, CameraOfTile(camera, part, size), poses);
+  const PinholeCamera camera_of_tile = CameraOfTile(camera, part, size);
+  DrawHands(tile, camera_of_tile, poses.right, Hand::kRight);
+  DrawHands(tile, camera_of_tile, poses.left, Hand::kLeft);
   return tile;
+}
+
+// `Set` has items of poses or holds, each of a view.
+template <class Set>
+std::vector<SheetPicture> SheetPicturesBy(const Set& set,
+                                          const ViewSet& views,
+                                          const DemonstrationSheetOptions& options) {
+  options.Validate();
+  const PosesOfViews poses = GroupPoses(set, options.poses_per_view);
+  const cv::Size tile(options.tile_width_px, options.tile_width_px * 3 / 4);
+  std::vector<SheetPicture> pictures;
+  for (std::size_t i = 0; i < views.items.size(); ++i) {
+    const ObjectView& view = views.items[i];
+    const auto shown = poses.find(view.image);
+    if (shown == poses.end()) continue;
+    pictures.push_back({.row = view.object_class,
+                        .split = view.split,
+                        .caption = std::filesystem::path(view.image).stem().string(),
+                        .draw = [&views, i, shown = shown->second, tile] {
+                          return std::vector<Image>{DrawTile(views, i, shown, tile)};
+                        }});
+  }
+  return pictures;
 }
 
 }  // namespace
@@ -144,7 +183,8 @@ void DemonstrationSheetOptions::Validate() const {
 
 void DrawHands(Image& picture,
                const PinholeCamera& camera,
-               std::span<const EndEffectorPose> poses) {
+               std::span<const EndEffectorPose> poses,
+               Hand hand) {
   HC_CHECK(picture.channels() == 3 && !picture.empty(), picture.channels());
   constexpr int kShift = 4;  // sixteenths of a pixel
   cv::Mat pixels = PixelsOf(picture);
@@ -161,7 +201,7 @@ void DrawHands(Image& picture,
       };
       return std::min(depth_m(stroke.from_m), depth_m(stroke.to_m)) < kLeastDepthM;
     };
-    const std::array<Stroke, 4> strokes = Strokes();
+    const std::array<Stroke, 4> strokes = Strokes(hand);
     if (std::any_of(strokes.begin(), strokes.end(), is_behind)) continue;
     for (const Stroke& stroke : strokes) {
       cv::line(pixels,
@@ -178,22 +218,13 @@ void DrawHands(Image& picture,
 std::vector<SheetPicture> SheetPicturesOf(const DemonstrationSet& demonstrations,
                                           const ViewSet& views,
                                           const DemonstrationSheetOptions& options) {
-  options.Validate();
-  const PosesOfViews poses = GroupPoses(demonstrations, options.poses_per_view);
-  const cv::Size tile(options.tile_width_px, options.tile_width_px * 3 / 4);
-  std::vector<SheetPicture> pictures;
-  for (std::size_t i = 0; i < views.items.size(); ++i) {
-    const ObjectView& view = views.items[i];
-    const auto shown = poses.find(view.image);
-    if (shown == poses.end()) continue;
-    pictures.push_back({.row = view.object_class,
-                        .split = view.split,
-                        .caption = std::filesystem::path(view.image).stem().string(),
-                        .draw = [&views, i, shown = shown->second, tile] {
-                          return std::vector<Image>{DrawTile(views, i, shown, tile)};
-                        }});
-  }
-  return pictures;
+  return SheetPicturesBy(demonstrations, views, options);
+}
+
+std::vector<SheetPicture> SheetPicturesOf(const HoldSet& holds,
+                                          const ViewSet& views,
+                                          const DemonstrationSheetOptions& options) {
+  return SheetPicturesBy(holds, views, options);
 }
 
 }  // namespace handcraft::datasets

@@ -8,6 +8,7 @@
 
 #include "datasets/contact_sheet.h"
 #include "datasets/formats/demonstration_set.h"
+#include "datasets/formats/hold_set.h"
 #include "datasets/formats/view_set.h"
 #include "datasets/synthetic/camera.h"
 #include "lib/core/image.h"
@@ -15,26 +16,39 @@
 namespace handcraft::datasets {
 
 struct DemonstrationSheetOptions {
-  int poses_per_view = 24;  ///< at most this many in a view, evenly spread over its rows; 1 ... 10⁴
+  int poses_per_view =
+      24;  ///< at most this many poses or holds in a view, evenly spread over its rows; 1 ... 10⁴
   int tile_width_px = 240;  ///< of the sheet that they are drawn for; 16 ... 640
 
   /// Throws Error(kUsage) naming field, value and rule.
   void Validate() const;
 };
 
+/// Which hand, by the colour of its stem.
+enum class Hand {
+  kRight,  ///< yellow
+  kLeft,   ///< violet
+};
+
 /// Draws a hand at each pose into a picture in colour, as the camera sees it: a stem along the
-/// approach axis (yellow), a bar along the closing axis, and two prongs from it to the grasp
-/// centre, 20 mm to either side: the fingers' (+x) orange, the thumb's blue. A pose that is not
-/// wholly in front of the camera is left out.
+/// approach axis and a bar along the closing axis in the colour of the hand, and two prongs from it
+/// to the grasp centre, 20 mm to either side: the fingers' (+x) orange, the thumb's blue. A pose
+/// that is not wholly in front of the camera is left out.
 void DrawHands(Image& picture,
                const synthetic::PinholeCamera& camera,
-               std::span<const EndEffectorPose> poses);
+               std::span<const EndEffectorPose> poses,
+               Hand hand = Hand::kRight);
 
 /// What contact sheets show of a demonstration set: of each view with poses the part about its
 /// object, with hands at them. Where the camera stood is found from the view's cloud (FitCamera).
 /// Drawing throws Error for files that cannot be read and for a view that has no cloud or no object
 /// in its mask. The views must outlive the pictures.
 [[nodiscard]] std::vector<SheetPicture> SheetPicturesOf(const DemonstrationSet& demonstrations,
+                                                        const ViewSet& views,
+                                                        const DemonstrationSheetOptions& options);
+
+/// The same of a set of holds: both hands of each.
+[[nodiscard]] std::vector<SheetPicture> SheetPicturesOf(const HoldSet& holds,
                                                         const ViewSet& views,
                                                         const DemonstrationSheetOptions& options);
 

@@ -42,11 +42,9 @@ void AddNamed(CLI::App& command,
       ->group(kGroup);
 }
 
-}  // namespace
-
-void AddObjectClassOptions(CLI::App& command, ObjectClassOptions& options) {
+// What an object is described by.
+void AddDescriptorOptions(CLI::App& command, features::CloudDescriptor& descriptor) {
   using features::CloudDescriptorType;
-  features::CloudDescriptor& descriptor = options.descriptor;
   AddNamed<CloudDescriptorType>(command,
                                 "--descriptor",
                                 descriptor.type,
@@ -80,6 +78,12 @@ void AddObjectClassOptions(CLI::App& command, ObjectClassOptions& options) {
                                  descriptor.frame,
                                  {features::CloudFrame::kBase, features::CloudFrame::kCamera},
                                  "Frame of the coordinates");
+}
+
+}  // namespace
+
+void AddObjectClassOptions(CLI::App& command, ObjectClassOptions& options) {
+  AddDescriptorOptions(command, options.descriptor);
   AddNumber(command,
             "--outlier-step",
             options,

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "datasets/synthetic/camera_file.h"
+#include "lib/core/utf8.h"
 
 namespace handcraft::tools {
 namespace {
@@ -73,7 +74,8 @@ void ApplyCameraFile(const std::string& path, synthetic::PinholeCamera& camera, 
 std::string TellWritten(const synthetic::Written& written,
                         std::size_t num_pictures,
                         const std::string& contents,
-                        const std::string& folder) {
+                        const std::string& out) {
+  const std::string folder = OnOneLine(out);
   if (written.IsNothing()) {
     return fmt::format("Nothing to write: {} is complete, {}\n", folder, contents);
   }

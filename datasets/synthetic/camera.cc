@@ -32,13 +32,13 @@ void PinholeCamera::Validate() const {
   require_side("PinholeCamera.width_px", width_px);
   require_side("PinholeCamera.height_px", height_px);
   const auto most = 10.0F * static_cast<float>(std::max(width_px, height_px));
-  const std::string within = "up to ten times the longer side";
+  const std::string within = "up to " + NumberToText(most) + ", ten times the longer side";
   RequireOption(focal_px >= 1.0F && focal_px <= most,
                 "PinholeCamera.focal_px",
-                static_cast<double>(focal_px),
-                "1 or more, " + within);
+                focal_px,
+                "1 or more and " + within);
   const auto require_centre = [&](const std::string& field, float value) {
-    RequireOption(std::abs(value) <= most, field, static_cast<double>(value), within);
+    RequireOption(std::abs(value) <= most, field, value, within + ", either way from 0");
   };
   require_centre("PinholeCamera.centre_u_px", centre_u_px);
   require_centre("PinholeCamera.centre_v_px", centre_v_px);

@@ -30,7 +30,7 @@ class CameraTable {
     for (const auto& [key, value] : table) {
       if (std::find(kKeys.begin(), kKeys.end(), key.str()) != kKeys.end()) continue;
       Fail(value,
-           "'" + std::string(key.str()) + "' in [camera]",
+           "'" + std::string(key.str()) + "' is no key of [camera]",
            "there are width_px, height_px, focal_px, centre_u_px, centre_v_px and baseline_m");
     }
   }
@@ -101,10 +101,7 @@ CameraFile ReadCameraFile(const std::filesystem::path& path) {
   try {
     file.camera.Validate();
     const float baseline_m = file.baseline_m.value_or(1.0F);
-    RequireOption(baseline_m > 0.0F && baseline_m <= 1.0F,
-                  "baseline_m",
-                  static_cast<double>(baseline_m),
-                  "in (0, 1]");
+    RequireOption(baseline_m > 0.0F && baseline_m <= 1.0F, "baseline_m", baseline_m, "in (0, 1]");
   } catch (const Error& refusal) {
     table.FailAtKey(refusal.details().reason);
   }

@@ -98,7 +98,7 @@ class DepthSampler {
 
 void DepthCameraOptions::Validate() const {
   const auto require = [](bool holds, const std::string& field, float value, const char* rule) {
-    RequireOption(holds, "DepthCameraOptions." + field, static_cast<double>(value), rule);
+    RequireOption(holds, "DepthCameraOptions." + field, value, rule);
   };
   require(baseline_m > 0.0F && baseline_m <= 1.0F, "baseline_m", baseline_m, "in (0, 1]");
   require(disparity_step_px > 0.0F && disparity_step_px <= 1.0F,

@@ -214,7 +214,7 @@ void GraspPointSetOptions::Validate() const {
                 fmt::format("from 0 to {}", kMaxImages));
   RequireOption(baseline_m > 0.0F && baseline_m <= 1.0F,
                 "GraspPointSetOptions.baseline_m",
-                static_cast<double>(baseline_m),
+                baseline_m,
                 "in (0, 1]");
   camera.Validate();
   RequireOption(num_threads >= 1, "GraspPointSetOptions.num_threads", num_threads, "1 or more");

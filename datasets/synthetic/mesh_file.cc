@@ -25,6 +25,7 @@ using Eigen::Vector3f;
 
 constexpr float kSmallestM = 0.005F;
 constexpr float kLargestM = 1.0F;
+constexpr float kLowestM = 1e-4F;
 constexpr std::size_t kMostMaterials = 250;
 
 [[noreturn]] void Refuse(const fs::path& path, std::string reason, std::string remedy) {
@@ -37,10 +38,17 @@ void CheckSize(const fs::path& path, const SurfaceMesh& mesh) {
     for (const std::uint32_t vertex : triangle.vertices) box.extend(mesh.vertices[vertex]);
   }
   const float size_m = box.sizes().maxCoeff();
-  if (size_m >= kSmallestM && size_m <= kLargestM) return;
-  Refuse(path,
-         "is " + NumberToText(size_m) + " m long; 0.005 to 1 m are due",
-         "check its unit: \"m\", \"cm\", \"mm\" or \"inch\"");
+  if (!(size_m >= kSmallestM && size_m <= kLargestM)) {
+    Refuse(path,
+           "is " + NumberToText(size_m) + " m long; 0.005 to 1 m are due",
+           "check its unit: \"m\", \"cm\", \"mm\" or \"inch\"");
+  }
+  const float height_m = box.sizes().z();
+  if (height_m >= kLowestM) return;
+  Refuse(
+      path,
+      "is flat: " + NumberToText(height_m) + " m high, so that it would lie within the table's top",
+      "give it a thickness of 0.0001 m or more, or name the axis that points upwards as \"up\"");
 }
 
 // Vertices in the same micrometre become one.

@@ -215,7 +215,7 @@ void RegraspOptions::Validate() const {
                 fmt::format("from 1 to {}", kMaxPoses));
   RequireOption(baseline_m > 0.0F && baseline_m <= 1.0F,
                 "RegraspOptions.baseline_m",
-                static_cast<double>(baseline_m),
+                baseline_m,
                 "in (0, 1]");
   RequireOption(num_threads >= 1, "RegraspOptions.num_threads", num_threads, "1 or more");
   camera.Validate();

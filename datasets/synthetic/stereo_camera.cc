@@ -54,7 +54,7 @@ FloatImage LightWithDots(const Scene& scene,
 
 void StereoOptions::Validate() const {
   const auto require = [](bool holds, const std::string& field, float value, const char* rule) {
-    RequireOption(holds, "StereoOptions." + field, static_cast<double>(value), rule);
+    RequireOption(holds, "StereoOptions." + field, value, rule);
   };
   require(baseline_m > 0.0F && baseline_m <= 1.0F, "baseline_m", baseline_m, "in (0, 1]");
   require(farthest_m <= 100.0F && farthest_m > 0.1F, "farthest_m", farthest_m, "in (0.1, 100]");

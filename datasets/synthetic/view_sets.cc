@@ -147,16 +147,16 @@ void ViewSetOptions::Validate() const {
                 fmt::format("from 1 to {}", kMaxViews));
   RequireOption(camera_noise.position_m >= 0.0F && camera_noise.position_m <= 0.05F,
                 "CameraNoise.position_m",
-                static_cast<double>(camera_noise.position_m),
+                camera_noise.position_m,
                 "from 0 to 0.05");
   RequireOption(camera_noise.angle_deg >= 0.0F && camera_noise.angle_deg <= 5.0F,
                 "CameraNoise.angle_deg",
-                static_cast<double>(camera_noise.angle_deg),
+                camera_noise.angle_deg,
                 "from 0 to 5");
   camera.Validate();
   RequireOption(baseline_m > 0.0F && baseline_m <= 1.0F,
                 "ViewSetOptions.baseline_m",
-                static_cast<double>(baseline_m),
+                baseline_m,
                 "in (0, 1]");
   RequireOption(num_threads >= 1, "ViewSetOptions.num_threads", num_threads, "1 or more");
 }

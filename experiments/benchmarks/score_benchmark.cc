@@ -91,55 +91,80 @@ double WorstDifference(const FloatImage& a, const FloatImage& b) {
   return worst;
 }
 
+// What is scored, and by what.
+struct Task {
+  features::FeatureSpec spec;
+  std::vector<float> weights;
+  Image gray;
+  int repetitions = 1;
+};
+
+// OpenCV's two ways on one thread, and what they found.
+struct Peers {
+  double gather_ms = 0.0;
+  double convolutions_ms = 0.0;
+  FloatImage gathered;
+  FloatImage convolved;
+};
+
+Peers TimePeers(const Task& task) {
+  Peers peers;
+  const int previous_threads = cv::getNumThreads();
+  cv::setNumThreads(1);
+  peers.gather_ms = MedianMs(std::max(1, task.repetitions / 5), [&] {
+    peers.gathered = ScoreByGathering(task.gray, task.spec, task.weights, TimedScorer::kIntercept);
+  });
+  peers.convolutions_ms = MedianMs(task.repetitions, [&] {
+    peers.convolved =
+        ScoreByConvolutions(task.gray, task.spec, task.weights, TimedScorer::kIntercept);
+  });
+  cv::setNumThreads(previous_threads);
+  return peers;
+}
+
+// With other instruction sets, and with another energy.
+void AddVariantTimes(const Task& task, BenchmarkResult& result) {
+  const std::span<const features::InstructionSet> sets = features::SupportedInstructionSets();
+  for (const features::InstructionSet set : sets) {
+    if (set == features::InstructionSet::kBaseline) continue;
+    result.details[std::string(NameOf(set)) + "_ms"] =
+        TimedScorer(task.spec, task.weights, set).MedianScoreMs(task.gray, task.repetitions);
+  }
+  features::FeatureSpec log_spec = task.spec;
+  log_spec.energy = features::Energy::kLog;
+  result.details["log_energy_ms"] =
+      TimedScorer(log_spec, task.weights, sets.back()).MedianScoreMs(task.gray, task.repetitions);
+}
+
 // Each time a median of its own calls; ours before and after the peers, so that a drifting clock
 // shows.
 BenchmarkResult BenchmarkScore(const char* spec_text, const BenchmarkOptions& options) {
   const features::FeatureSpec spec = features::ParseFeatureSpec(spec_text);
-  const std::vector<float> weights = MakeWeights(spec.NumFeatures());
-  const Image gray = MakePicture(1);
-  const Image bgr = MakePicture(3);
+  const Task task{spec, MakeWeights(spec.NumFeatures()), MakePicture(1), options.repetitions};
   const features::InstructionSet best = features::SupportedInstructionSets().back();
-  TimedScorer ours(spec, weights, best);
+  TimedScorer ours(spec, task.weights, best);
 
   BenchmarkResult result;
-  const double before_ms = ours.MedianScoreMs(gray, options.repetitions);
-  const int previous_threads = cv::getNumThreads();
-  cv::setNumThreads(1);
-  FloatImage gathered;
-  FloatImage convolved;
-  const int peer_repetitions = std::max(1, options.repetitions / 5);
-  result.peer_ms = MedianMs(peer_repetitions, [&] {
-    gathered = ScoreByGathering(gray, spec, weights, TimedScorer::kIntercept);
-  });
-  const double convolutions_ms = MedianMs(options.repetitions, [&] {
-    convolved = ScoreByConvolutions(gray, spec, weights, TimedScorer::kIntercept);
-  });
-  cv::setNumThreads(previous_threads);
-  const double after_ms = ours.MedianScoreMs(gray, options.repetitions);
+  const double before_ms = ours.MedianScoreMs(task.gray, task.repetitions);
+  const Peers peers = TimePeers(task);
+  const double after_ms = ours.MedianScoreMs(task.gray, task.repetitions);
 
   result.ours_ms = std::max(before_ms, after_ms);
   result.peer = "OpenCV filter2D for each filter, gather, dot product";
+  result.peer_ms = peers.gather_ms;
   result.ratio = result.peer_ms / result.ours_ms;
   const double fmas = double{kWidth} * kHeight * spec.NumFeatures();
   const double peak = MeasureFmaPeak(best);
   result.details = {
-      {"peer_convolutions_ms", convolutions_ms},
-      {"ratio_convolutions", convolutions_ms / result.ours_ms},
-      {"worst_difference_gather", WorstDifference(ours.probabilities(), gathered)},
-      {"worst_difference_convolutions", WorstDifference(ours.probabilities(), convolved)},
+      {"peer_convolutions_ms", peers.convolutions_ms},
+      {"ratio_convolutions", peers.convolutions_ms / result.ours_ms},
+      {"worst_difference_gather", WorstDifference(ours.probabilities(), peers.gathered)},
+      {"worst_difference_convolutions", WorstDifference(ours.probabilities(), peers.convolved)},
       {"fma_peak_gflops", 2e-9 * peak},
       {"share_of_fma_peak", fmas / (1e-3 * result.ours_ms) / peak},
-      {"bgr_ms", ours.MedianScoreMs(bgr, options.repetitions)},
+      {"bgr_ms", ours.MedianScoreMs(MakePicture(3), task.repetitions)},
   };
-  for (const features::InstructionSet set : features::SupportedInstructionSets()) {
-    if (set == features::InstructionSet::kBaseline) continue;
-    result.details[std::string(NameOf(set)) + "_ms"] =
-        TimedScorer(spec, weights, set).MedianScoreMs(gray, options.repetitions);
-  }
-  features::FeatureSpec log_spec = spec;
-  log_spec.energy = features::Energy::kLog;
-  result.details["log_energy_ms"] =
-      TimedScorer(log_spec, weights, best).MedianScoreMs(gray, options.repetitions);
+  AddVariantTimes(task, result);
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include "experiments/evaluation/grasp_point_templates.h"
 #include "experiments/evaluation/html_text.h"
 #include "experiments/evaluation/pixel_cards.h"
+#include "lib/core/counted.h"
 
 namespace handcraft::experiments {
 namespace {
@@ -18,10 +19,6 @@ namespace {
 constexpr std::size_t kNumHistogramBins = 20;
 // More bars than this leave no room for their names.
 constexpr std::size_t kMaxPlottedClasses = 12;
-
-std::string Counted(std::size_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
 
 std::string HeaderText(const GraspPointEvaluation& evaluation, const ReportContents& contents) {
   const GroupFigures& all = evaluation.all;
@@ -40,7 +37,7 @@ std::string HeaderText(const GraspPointEvaluation& evaluation, const ReportConte
   return fmt::format(fmt::runtime(kHeaderTemplate),
                      fmt::arg("model", EscapeHtml(contents.model_name)),
                      fmt::arg("data", EscapeHtml(contents.data_name)),
-                     fmt::arg("images", Counted(all.num_images, "image", "images")),
+                     fmt::arg("images", Counted(all.num_images, "image")),
                      fmt::arg("verdict", verdict));
 }
 

@@ -168,27 +168,29 @@ ReportTable EliminationTable(const FeatureAnalysis& analysis) {
   return table;
 }
 
-ReportTable HypothesisTable(const FeatureAnalysis& analysis, Reader reader) {
-  if (reader == Reader::kPeople) {
-    ReportTable table{.head = {"hypothesis",
-                               "filters kept",
-                               "window",
-                               "features",
-                               "held-out log-loss",
-                               "AUC",
-                               "log-loss above all features"},
-                      .rows = {}};
-    for (const TestedHypothesis& tested : analysis.hypotheses) {
-      table.rows.push_back({tested.name,
-                            KeptFiltersText(tested.spec, analysis.options.spec),
-                            fmt::format("{}×{}", tested.spec.window, tested.spec.window),
-                            std::to_string(tested.spec.NumFeatures()),
-                            DecimalText(tested.log_loss, 4),
-                            DecimalText(tested.auc, 3),
-                            IncreaseText(tested.increase)});
-    }
-    return table;
+ReportTable HypothesisTableForPeople(const FeatureAnalysis& analysis) {
+  ReportTable table{.head = {"hypothesis",
+                             "filters kept",
+                             "window",
+                             "features",
+                             "held-out log-loss",
+                             "AUC",
+                             "log-loss above all features"},
+                    .rows = {}};
+  for (const TestedHypothesis& tested : analysis.hypotheses) {
+    table.rows.push_back({tested.name,
+                          KeptFiltersText(tested.spec, analysis.options.spec),
+                          fmt::format("{}×{}", tested.spec.window, tested.spec.window),
+                          std::to_string(tested.spec.NumFeatures()),
+                          DecimalText(tested.log_loss, 4),
+                          DecimalText(tested.auc, 3),
+                          IncreaseText(tested.increase)});
   }
+  return table;
+}
+
+ReportTable HypothesisTable(const FeatureAnalysis& analysis, Reader reader) {
+  if (reader == Reader::kPeople) return HypothesisTableForPeople(analysis);
   ReportTable table{.head = {"hypothesis",
                              "features",
                              "num_features",
@@ -309,6 +311,20 @@ std::string Figure(const SvgFigure& figure, std::string_view caption) {
                      caption);
 }
 
+// What was looked at, and how.
+std::string FooterText(const FeatureAnalysis& analysis) {
+  std::string text =
+      fmt::format("<footer>Data <code>{}</code>. Features:", analysis.data_fingerprint);
+  for (const features::Filter filter : analysis.options.spec.filters) {
+    text += fmt::format(" {}", features::NameOf(filter));
+  }
+  text += ". Options:";
+  for (const auto& [name, value] : FieldsToText(analysis.options)) {
+    text += fmt::format(" {} = {};", EscapeHtml(name), EscapeHtml(value));
+  }
+  return text + "</footer>\n";
+}
+
 std::string HtmlReport(const FeatureAnalysis& analysis, const std::string& data_name) {
   std::string body = fmt::format(
       "<header>\n<p class=\"kicker\">Handcraft study</p>\n<h1>Feature analysis</h1>\n<p "
@@ -340,15 +356,7 @@ std::string HtmlReport(const FeatureAnalysis& analysis, const std::string& data_
       Section("Window",
               kWindowNote,
               HtmlText(RingTable(analysis)) + HtmlText(PositionTable(analysis, Reader::kPeople)));
-  body += fmt::format("<footer>Data <code>{}</code>. Features:", analysis.data_fingerprint);
-  for (const features::Filter filter : analysis.options.spec.filters) {
-    body += fmt::format(" {}", features::NameOf(filter));
-  }
-  body += ". Options:";
-  for (const auto& [name, value] : FieldsToText(analysis.options)) {
-    body += fmt::format(" {} = {};", EscapeHtml(name), EscapeHtml(value));
-  }
-  return MakeHtmlPage("Feature analysis", body + "</footer>\n");
+  return MakeHtmlPage("Feature analysis", body + FooterText(analysis));
 }
 
 }  // namespace

@@ -297,15 +297,12 @@ HWY_INLINE void EdgeEnergies(const FilterPlan& plan, const FilterRowJob& job) {
       });
 }
 
-HWY_INLINE void SobelEnergies(const FilterPlan& plan, const FilterRowJob& job) {
+// The horizontal factor's power of two: 1/8 or 1/4 on ∂x, the smoothing's 1/16 on ∂y; and so on.
+HWY_INLINE void Sobel5Energies(const FilterPlan& plan, const FilterRowJob& job) {
   const auto row = [&](ScratchRow name) { return ScratchOf(job, name) + kReach; };
   const float* smooth5 = row(kSmooth5);
   const float* first5 = row(kFirst5);
   const float* second5 = row(kSecond5);
-  const float* smooth7 = row(kSmooth7);
-  const float* first7 = row(kFirst7);
-  const float* second7 = row(kSecond7);
-  // The horizontal factor's power of two: 1/8 or 1/4 on ∂x, the smoothing's 1/16 on ∂y; and so on.
   StoreGradientEnergies(
       plan,
       job.count,
@@ -322,6 +319,13 @@ HWY_INLINE void SobelEnergies(const FilterPlan& plan, const FilterRowJob& job) {
           HWY_ATTR { return hn::Mul(Constant(1.0F / 4), SecondRow5(smooth5 + x)); },
       [=](std::ptrdiff_t x)
           HWY_ATTR { return hn::Mul(Constant(1.0F / 16), SmoothRow5(second5 + x)); });
+}
+
+HWY_INLINE void Sobel7Energies(const FilterPlan& plan, const FilterRowJob& job) {
+  const auto row = [&](ScratchRow name) { return ScratchOf(job, name) + kReach; };
+  const float* smooth7 = row(kSmooth7);
+  const float* first7 = row(kFirst7);
+  const float* second7 = row(kSecond7);
   StoreGradientEnergies(
       plan,
       job.count,
@@ -382,9 +386,14 @@ inline void FilterRow(const FilterPlan& plan, const FilterRowJob& job) {
     EdgeColumns(job);
     EdgeEnergies(plan, job);
   }
-  if (plan.sobel5) Sobel5Columns(job);
-  if (plan.sobel7) Sobel7Columns(job);
-  if (plan.sobel5 || plan.sobel7) SobelEnergies(plan, job);
+  if (plan.sobel5) {
+    Sobel5Columns(job);
+    Sobel5Energies(plan, job);
+  }
+  if (plan.sobel7) {
+    Sobel7Columns(job);
+    Sobel7Energies(plan, job);
+  }
   LaplacianEnergies(plan, job);
   if (plan.chroma) {
     ChromaEnergies(plan, job, Filter::kChromaBlueLL, job.cb_rows);

@@ -58,7 +58,8 @@ struct Spread {
   std::array<double, 6> covariance = {};  // xx, xy, xz, yy, yz, zz
 };
 
-Spread SpreadOf(const Points& points, const Box& box) noexcept {
+// Sums over the points in a box, about the first point: 1, x, y, z, xx, xy, xz, yy, yz, zz.
+std::array<double, 10> MomentsOf(const Points& points, const Box& box) noexcept {
   const double x0 = points.x[0];
   const double y0 = points.y[0];
   const double z0 = points.z[0];
@@ -90,6 +91,11 @@ Spread SpreadOf(const Points& points, const Box& box) noexcept {
   for (std::size_t k = 0; k < total.size(); ++k) {
     total[k] = (sums[k][0] + sums[k][2]) + (sums[k][1] + sums[k][3]);
   }
+  return total;
+}
+
+Spread SpreadOf(const Points& points, const Box& box) noexcept {
+  const std::array<double, 10> total = MomentsOf(points, box);
   Spread spread{.count = total[0], .mean_m = {}, .covariance = {}};
   if (spread.count == 0.0) return spread;
   const Vector3 mean = {total[1] / total[0], total[2] / total[0], total[3] / total[0]};

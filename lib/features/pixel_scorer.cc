@@ -105,6 +105,10 @@ ChannelPlanes MakePlanes(int width, int height, int num_channels, Arena& arena) 
   return {width, height, num_channels, arena.Take<float>(num_floats)};
 }
 
+RegionBox WholeOf(const RawImage& image) noexcept {
+  return {.last_u = image.width, .last_v = image.height};
+}
+
 // What the scores in the box depend on; nothing for an empty box.
 RegionBox WithMargin(const RegionBox& box, const RawImage& image) noexcept {
   if (box.empty()) return {};
@@ -282,12 +286,8 @@ void PixelScorer::Run(const RawImage& image,
   const RegionBox box =
       mask == nullptr ? RegionBox{} : internal::BoxOf(*mask, image.width, image.height);
   ChannelPlanes planes = MakePlanes(image.width, image.height, spec_.NeedsColour() ? 3 : 1, arena);
-  if (mask != nullptr && spec_.scales.empty()) {
-    planes.ConvertPart(image, kernels, WithMargin(box, image));
-  } else {
-    planes.Convert(image, kernels);  // a shrunk picture is made of all of it
-  }
-
+  const bool reads_all = mask == nullptr || !spec_.scales.empty();  // scales shrink all of it
+  planes.ConvertPart(image, kernels, reads_all ? WholeOf(image) : WithMargin(box, image));
   std::array<ScaleMap, kMaxScales> maps{};
   const float* scale_weights =
       packed_weights_.data() + plan.num_filters * spec_.window * spec_.window;

@@ -135,19 +135,45 @@ bool IsStartOfFrame(std::uint32_t marker) {
   return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
 }
 
+// The channels that the frame at `at` has.
+std::uint32_t NumChannels(const File& file, std::size_t at) { return file.BigEndian(at + 5, 1); }
+
 ImageHeader ReadFrame(const File& file, std::size_t at) {
   file.CheckDepth(at, "JPEG", file.BigEndian(at, 1));
   const std::uint32_t height = file.BigEndian(at + 1, 2);
   const std::uint32_t width = file.BigEndian(at + 3, 2);
   file.CheckSize(at + 1, width, height);
-  return {
-      "JPEG", static_cast<int>(width), static_cast<int>(height), file.BigEndian(at + 5, 1) == 1};
+  const std::uint32_t channels = NumChannels(file, at);
+  if (channels != 1 && channels != 3 && channels != 4) {
+    file.Fail(at + 5,
+              "a JPEG of " + std::to_string(channels) + " channels; 1, 3 or 4 are due",
+              "convert it to RGB");
+  }
+  return {"JPEG", static_cast<int>(width), static_cast<int>(height), channels == 1};
+}
+
+bool IsAdobeMarker(const File& file, std::size_t at) {
+  constexpr std::uint32_t kApp14 = 0xEE;
+  return file.BigEndian(at + 1, 1) == kApp14 && file.BigEndian(at + 2, 2) >= 14 &&
+         StartsWith(file.bytes.subspan(at + 4), "Adobe");
+}
+
+// Adobe's programs write four inks inverted (255: none) and mark the file; without their mark,
+// programs disagree on which end is full ink.
+void CheckInks(const File& file, std::size_t frame, bool has_adobe_marker) {
+  if (has_adobe_marker || frame == 0 || NumChannels(file, frame) != 4) return;
+  file.Fail(frame + 5,
+            "a JPEG of four inks (CMYK) without Adobe's marker: nothing tells whether 0 or 255 is "
+            "full ink",
+            "convert it to RGB");
 }
 
 ImageHeader ReadJpeg(const File& file) {
   constexpr std::uint32_t kExif = 0xE1;
   ImageHeader header;
   bool has_exif = false;
+  bool has_adobe_marker = false;
+  std::size_t frame = 0;  // of the first scan; 0: none yet
   for (std::size_t at = 2;;) {
     if (file.BigEndian(at, 1) != 0xFF) file.Fail(at, "a damaged JPEG: a marker is due here");
     const std::uint32_t marker = file.BigEndian(at + 1, 1);
@@ -161,7 +187,12 @@ ImageHeader ReadJpeg(const File& file) {
       return header;
     }
     has_exif = has_exif || marker == kExif;
-    if (IsStartOfFrame(marker)) header = ReadFrame(file, at + 4);
+    has_adobe_marker = has_adobe_marker || IsAdobeMarker(file, at);
+    if (IsStartOfFrame(marker)) {
+      frame = at + 4;
+      header = ReadFrame(file, frame);
+    }
+    if (marker == 0xDA) CheckInks(file, frame, has_adobe_marker);
     const std::size_t length = file.BigEndian(at + 2, 2);
     if (length < 2) file.Fail(at, "a damaged JPEG: a segment without a length");
     at += 2 + length;

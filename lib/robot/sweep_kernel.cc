@@ -154,16 +154,16 @@ HWY_INLINE std::size_t Write(Mask is_valid, const Solutions& all, double q4, dou
   return count;
 }
 
-// Joints 5, 6, 7 for both signs of sin θ₆; appends what is within the limits.
-HWY_INLINE std::size_t SolveWrist(const Constants& c,
-                                  const Sample& s,
-                                  const Shoulder& shoulder,
-                                  std::size_t num_written) {
-  const SweepJob& job = c.job;
-  const SphericalJoint& wrist = job.arm->wrist;
-  const Vector z = BehindElbow(c, s, shoulder, job.goal_z_in_first);
-  const Vector x = BehindElbow(c, s, shoulder, job.goal_x_in_first);
-  // z = Rz(θ₅) (m, b, ·) with m = ± sin θ₆ sin α₆₇.
+// The wanted z axis behind the elbow is Rz(θ₅) (m, b, ·) with m = ± sin θ₆ sin α₆₇.
+struct Wrist {
+  Vector z;
+  Doubles cos6, b, m, level2;
+  Mask is_reached;
+};
+
+HWY_INLINE Wrist WristBehind(const Constants& c, const Sample& s, const Shoulder& shoulder) {
+  const SphericalJoint& wrist = c.job.arm->wrist;
+  const Vector z = BehindElbow(c, s, shoulder, c.job.goal_z_in_first);
   const Doubles cos6 = hn::Mul(hn::Sub(Constant(wrist.cos_12 * wrist.cos_23), z.z),
                                Constant(1.0 / (wrist.sin_12 * wrist.sin_23)));
   const Doubles b = hn::Neg(hn::MulAdd(
@@ -171,19 +171,30 @@ HWY_INLINE std::size_t SolveWrist(const Constants& c,
   const Doubles level2 = hn::MulAdd(z.x, z.x, hn::Mul(z.y, z.y));
   const Doubles rest = hn::NegMulAdd(b, b, level2);
   const Mask is_reached = hn::And(shoulder.is_valid, hn::Ge(rest, Constant(-1e-14)));
-  const Doubles m = hn::Sqrt(hn::Max(rest, Constant(0.0)));
-  const Mask is_singular = hn::Lt(level2, Constant(1e-28));
-  const Doubles inverse_level = Inverse(level2);  // (m, b) is as long as (z_x, z_y)
+  return {z, cos6, b, hn::Sqrt(hn::Max(rest, Constant(0.0))), level2, is_reached};
+}
+
+// Joints 5, 6, 7 for both signs of sin θ₆; appends what is within the limits.
+HWY_INLINE std::size_t SolveWrist(const Constants& c,
+                                  const Sample& s,
+                                  const Shoulder& shoulder,
+                                  std::size_t num_written) {
+  const SweepJob& job = c.job;
+  const SphericalJoint& joint = job.arm->wrist;
+  const Wrist wrist = WristBehind(c, s, shoulder);
+  const Vector x = BehindElbow(c, s, shoulder, job.goal_x_in_first);
+  const Mask is_singular = hn::Lt(wrist.level2, Constant(1e-28));
+  const Doubles inverse_level = Inverse(wrist.level2);  // (m, b) is as long as (z_x, z_y)
   for (const double sign : {1.0, -1.0}) {
-    const Doubles signed_m = hn::Mul(Constant(sign), m);
-    Turn turn5 = TurnBetween(signed_m, b, z.x, z.y, inverse_level);
+    const Doubles signed_m = hn::Mul(Constant(sign), wrist.m);
+    Turn turn5 = TurnBetween(signed_m, wrist.b, wrist.z.x, wrist.z.y, inverse_level);
     turn5.cosine = hn::IfThenElse(is_singular, Constant(c.reference5[0]), turn5.cosine);
     turn5.sine = hn::IfThenElse(is_singular, Constant(c.reference5[1]), turn5.sine);
-    const Doubles sin6 = hn::Mul(signed_m, Constant(1.0 / wrist.sin_23));
-    const Turn turn6 = {cos6, sin6};
-    Mask is_valid = is_reached;
+    const Doubles sin6 = hn::Mul(signed_m, Constant(1.0 / joint.sin_23));
+    const Turn turn6 = {wrist.cos6, sin6};
+    Mask is_valid = wrist.is_reached;
     const Doubles q6 =
-        WithinLimits(job.limits[5], hn::Sub(Angle(turn6), Constant(wrist.offset_rad)), is_valid);
+        WithinLimits(job.limits[5], hn::Sub(Angle(turn6), Constant(joint.offset_rad)), is_valid);
     const Doubles q5 = WithinLimits(job.limits[4], Angle(turn5), is_valid);
     // The wanted x is Rz(θ₅) Rx(α₅₆) Rz(θ₆) Rx(α₆₇) (c₇, s₇, 0).
     Vector v = TurnX(Back(c.wrist_skew), TurnZ(Back(turn5), x));

@@ -26,9 +26,8 @@ std::uint64_t ReadLittleEndian64(const std::uint8_t* bytes) noexcept {
   return value;
 }
 
-// § 2.1: where the header lies. On success *header is set.
-MaybeError FindHeader(std::span<const std::uint8_t> bytes,
-                      std::span<const std::uint8_t>* header) noexcept {
+// § 2.1: neither too short for a header nor too long.
+MaybeError CheckFileSize(std::span<const std::uint8_t> bytes) noexcept {
   if (bytes.empty()) {
     return MakeError(HC_ERROR_TRUNCATED, 0, "the file is empty; copy or train the model again");
   }
@@ -45,6 +44,13 @@ MaybeError FindHeader(std::span<const std::uint8_t> bytes,
                      "the file ends after %zu bytes, inside the header; copy it again",
                      bytes.size());
   }
+  return std::nullopt;
+}
+
+// § 2.1: where the header lies. On success *header is set.
+MaybeError FindHeader(std::span<const std::uint8_t> bytes,
+                      std::span<const std::uint8_t>* header) noexcept {
+  if (const MaybeError error = CheckFileSize(bytes)) return error;
   const std::uint64_t length = ReadLittleEndian64(bytes.data());
   if (bytes[format::kLengthBytes] != '{' || length > format::kMaxHeaderBytes) {
     return MakeError(HC_ERROR_FORMAT,
@@ -82,14 +88,12 @@ bool ChecksumMatches(std::span<const std::uint8_t> bytes) noexcept {
          stored == Crc32c(covered);
 }
 
-// § 2.2, § 2.3: in storage order the tensors follow each other without gap or overlap, from the end
-// of the header to the end of the file, the checksum last. Sets where they lie.
-MaybeError LayOut(std::span<const std::uint8_t> bytes,
-                  std::size_t data_offset,
-                  ParsedModel& model) {
-  std::vector<TensorView*> stored;
+// § 2.2, § 2.3: in storage order the tensors follow each other without gap or overlap, the checksum
+// last. On success *end is the end of the last one's data.
+MaybeError CheckOrder(const ParsedModel& model, std::size_t data_offset, std::uint64_t* end) {
+  std::vector<const TensorView*> stored;
   stored.reserve(model.tensors.size());
-  for (TensorView& tensor : model.tensors) stored.push_back(&tensor);
+  for (const TensorView& tensor : model.tensors) stored.push_back(&tensor);
   std::sort(stored.begin(), stored.end(), [](const TensorView* a, const TensorView* b) {
     return format::StoredBefore(a->dtype, a->name, b->dtype, b->name);
   });
@@ -100,19 +104,28 @@ MaybeError LayOut(std::span<const std::uint8_t> bytes,
                      format::kLengthBytes,
                      "the header lacks the checksum 'zz.crc' of dtype U8 and shape [8]");
   }
-  std::uint64_t end = 0;
+  *end = 0;
   for (const TensorView* tensor : stored) {
-    if (tensor->begin != end) {
+    if (tensor->begin != *end) {
       return MakeError(HC_ERROR_FORMAT,
-                       data_offset + end,
+                       data_offset + *end,
                        "tensor '%s' begins at offset %" PRIu64 " where %" PRIu64
                        " was expected: tensors follow each other, wide entries first, then by name",
                        tensor->name.c_str(),
                        tensor->begin,
-                       end);
+                       *end);
     }
-    end += tensor->num_bytes;
+    *end += tensor->num_bytes;
   }
+  return std::nullopt;
+}
+
+// § 2.2, § 2.3: the tensors lie from the end of the header to the end of the file. Sets where.
+MaybeError LayOut(std::span<const std::uint8_t> bytes,
+                  std::size_t data_offset,
+                  ParsedModel& model) {
+  std::uint64_t end = 0;
+  if (const MaybeError error = CheckOrder(model, data_offset, &end)) return error;
   const std::uint64_t needed = data_offset + end;
   if (needed > bytes.size()) {
     return MakeError(HC_ERROR_TRUNCATED,

@@ -109,6 +109,24 @@ TEST(DrawPage, ShowsLabelsAndCaptions) {
   EXPECT_GT(lit, 10) << "its name is written below";
 }
 
+TEST(DrawPage, ShowsTheWholePictureBesideTheLast) {
+  std::vector<SheetPicture> pictures = Grays(3);
+  for (SheetPicture& picture : pictures) {
+    picture.draw = [] {
+      return std::vector{Image(4, 3, 3, 80), Image(4, 3, 3, 120), Image(4, 3, 3, 160)};
+    };
+  }
+  const Image page =
+      DrawPage(pictures, {.columns = 2, .rows = 2, .tile_width_px = 16, .shows_first = true});
+  ASSERT_EQ(page.width(), 2 * (2 * 16 + 4));
+  ASSERT_EQ(page.height(), 2 * (12 + 16 + 4));
+  EXPECT_EQ(page.At(8, 6, 0), 84) << "the first that it draws";
+  EXPECT_EQ(page.At(24, 6, 0), 164) << "and the last";
+  EXPECT_EQ(page.At(34, 6, 0), 4) << "a gap";
+  EXPECT_EQ(page.At(44, 6, 0), 84);
+  EXPECT_EQ(page.At(24, 38, 0), 164);
+}
+
 TEST(Choose, TakesASplitAndAClass) {
   std::vector<SheetPicture> pictures = Grays(4);
   pictures[1].split = pictures[2].split = "test";
@@ -126,7 +144,10 @@ TEST(Choose, TakesASplitAndAClass) {
 TEST(DrawPage, NamesWhatIsWrong) {
   EXPECT_THROWS_MESSAGE(DrawPage(Grays(7), {.page = 3, .columns = 2, .rows = 2}),
                         Error,
-                        HasSubstr("no page 3: 7 pictures fill 2 pages of 4"));
+                        HasSubstr("no page 3; the last is page 2 (7 pictures, 4 a page)"));
+  EXPECT_THROWS_MESSAGE(DrawPage(Grays(1), {.page = 2}),
+                        Error,
+                        HasSubstr("no page 2; the last is page 1 (1 picture, 48 a page)"));
   EXPECT_THROWS_MESSAGE(DrawPage(Grays(1), {.page = 0}), Error, HasSubstr("PageOptions.page is 0"));
   EXPECT_THROWS_MESSAGE(
       DrawPage(Grays(1), {.columns = 101}), Error, HasSubstr("PageOptions.columns is 101"));

@@ -90,6 +90,33 @@ TEST_F(SheetOfThreeViews, HasAHandInEachViewWithPoses) {
   }
 }
 
+// Violet, the left hand's, has little green in it.
+int NumViolet(const Image& image) {
+  int count = 0;
+  for (int v = 0; v < image.height(); ++v) {
+    for (int u = 0; u < image.width(); ++u) {
+      count += std::min(image.At(u, v, 0), image.At(u, v, 2)) > image.At(u, v, 1) + 40 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+TEST_F(SheetOfThreeViews, HasBothHandsOfEachHold) {
+  const HoldSet holds{.root = folder_.path(),
+                      .items = {{.object_class = "mug",
+                                 .instance = "mug",
+                                 .view = "mug_1.png",
+                                 .right = Reaching({0.03, 0.0, 0.1}),
+                                 .left = Reaching({-0.03, 0.0, 0.1})}}};
+  const std::vector<SheetPicture> pictures = SheetPicturesOf(holds, views_, {});
+  ASSERT_EQ(pictures.size(), 1U);
+  EXPECT_EQ(pictures[0].caption, "mug_1");
+  const Image drawn = pictures[0].draw().at(0);
+  EXPECT_GT(NumYellow(drawn), 3) << "the right hand";
+  EXPECT_GT(NumViolet(drawn), 3) << "the left hand";
+  EXPECT_EQ(NumViolet(SheetPicturesOf(poses_, views_, {})[1].draw().at(0)), 0);
+}
+
 TEST_F(SheetOfThreeViews, NamesTheViewThatCannotBeDrawn) {
   const auto draw = [&] {
     for (const SheetPicture& picture : SheetPicturesOf(poses_, views_, {})) picture.draw();

@@ -10,6 +10,7 @@
 #include "experiments/evaluation/loaded_model.h"
 #include "lib/core/file.h"
 #include "lib/core/sha256.h"
+#include "lib/core/utf8.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
 
@@ -28,7 +29,8 @@ void RunCheckModel(const CheckModelOptions& options, const Console& console) {
   if (options.json) {
     console.Print({{"model", options.model}, {"ok", true}, {"kind", kind}, {"sha256", sha256}});
   } else {
-    console.out << "OK: " << options.model << " is a " << kind << " model; checksum, contents and "
+    console.out << "OK: " << OnOneLine(options.model) << " is a " << kind
+                << " model; checksum, contents and "
                 << "self-test are right\nsha256 " << sha256 << '\n';
   }
 }

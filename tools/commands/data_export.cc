@@ -14,6 +14,7 @@
 #include "lib/core/error.h"
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
+#include "lib/core/utf8.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "tools/labelled_pixels.h"
@@ -80,7 +81,7 @@ void RunDataExport(const DataExportOptions& options, const Console& console) {
                    {"num_samples", num_samples}});
   } else {
     console.out << "Wrote " << num_samples << " samples with " << pixels.spec.NumFeatures()
-                << " features and a label to " << options.out << '\n';
+                << " features and a label to " << OnOneLine(options.out) << '\n';
   }
 }
 

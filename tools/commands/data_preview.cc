@@ -14,6 +14,7 @@
 #include "datasets/demonstration_sheet.h"
 #include "datasets/sheet_pictures.h"
 #include "datasets/stored_set.h"
+#include "lib/core/utf8.h"
 #include "lib/perception/image_io.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
@@ -25,6 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+enum class Shown { kWhole, kCloseUp, kPoses, kHolds };
+
 struct DataPreviewOptions {
   std::string folder;
   std::string out;
@@ -33,11 +36,12 @@ struct DataPreviewOptions {
   datasets::OverviewOptions overview;
   datasets::PageOptions page;
   int tile_width_px = 0;
-  datasets::Framing framing = datasets::Framing::kWhole;
+  Shown shown = Shown::kWhole;
   bool is_page = false;
-  bool shows_poses = false;
   datasets::DemonstrationSheetOptions poses;
   bool json = false;
+
+  [[nodiscard]] bool ShowsHands() const { return shown == Shown::kPoses || shown == Shown::kHolds; }
 };
 
 // A set and its pictures, which refer to it.
@@ -50,20 +54,29 @@ struct Gallery {
   }
 };
 
+// `poses` are demonstrations or holds.
+template <class Poses>
+void ShowHands(const DataPreviewOptions& options, const Poses& poses, Gallery& gallery) {
+  const auto& views =
+      gallery.set.pictures.emplace<datasets::ViewSet>(datasets::ReadViewSet(poses.root));
+  datasets::DemonstrationSheetOptions sheet = options.poses;
+  if (options.tile_width_px > 0) sheet.tile_width_px = options.tile_width_px;
+  gallery.pictures = datasets::SheetPicturesOf(poses, views, sheet);
+}
+
 std::unique_ptr<Gallery> OpenGallery(const DataPreviewOptions& options) {
   auto gallery = std::make_unique<Gallery>();
   const fs::path root(options.folder);
-  if (options.shows_poses) {
-    const datasets::DemonstrationSet poses = datasets::ReadDemonstrationSet(root);
-    const auto& views =
-        gallery->set.pictures.emplace<datasets::ViewSet>(datasets::ReadViewSet(root));
-    datasets::DemonstrationSheetOptions sheet = options.poses;
-    if (options.tile_width_px > 0) sheet.tile_width_px = options.tile_width_px;
-    gallery->pictures = datasets::SheetPicturesOf(poses, views, sheet);
+  if (options.shown == Shown::kPoses) {
+    ShowHands(options, datasets::ReadDemonstrationSet(root), *gallery);
+  } else if (options.shown == Shown::kHolds) {
+    ShowHands(options, datasets::ReadHoldSet(root), *gallery);
   } else {
     gallery->set = datasets::OpenSet(root);
+    const datasets::Framing framing =
+        options.shown == Shown::kCloseUp ? datasets::Framing::kCloseUp : datasets::Framing::kWhole;
     gallery->pictures =
-        std::visit([&](const auto& of_kind) { return SheetPicturesOf(of_kind, options.framing); },
+        std::visit([&](const auto& of_kind) { return SheetPicturesOf(of_kind, framing); },
                    gallery->set.pictures);
   }
   return gallery;
@@ -72,7 +85,7 @@ std::unique_ptr<Gallery> OpenGallery(const DataPreviewOptions& options) {
 // The width of a tile when the user asks for none.
 int TileWidth(const DataPreviewOptions& options, int usual_px) {
   if (options.tile_width_px > 0) return options.tile_width_px;
-  return options.shows_poses ? options.poses.tile_width_px : usual_px;
+  return options.ShowsHands() ? options.poses.tile_width_px : usual_px;
 }
 
 Image DrawSheet(const DataPreviewOptions& options,
@@ -81,7 +94,9 @@ Image DrawSheet(const DataPreviewOptions& options,
   if (options.is_page) {
     datasets::PageOptions page = options.page;
     page.progress = progress;
-    page.tile_width_px = TileWidth(options, page.tile_width_px);
+    // Two tiles a picture: narrower, so that a page still fits a screen.
+    page.shows_first = options.shown == Shown::kCloseUp;
+    page.tile_width_px = TileWidth(options, page.shows_first ? 128 : page.tile_width_px);
     return datasets::DrawPage(pictures, page);
   }
   datasets::OverviewOptions overview = options.overview;
@@ -115,26 +130,51 @@ void RunDataPreview(const DataPreviewOptions& options, const Console& console) {
                    {"num_images", pictures.size()},
                    {"num_pages", num_pages}});
   } else {
-    console.out << "Wrote " << options.out;
+    console.out << "Wrote " << OnOneLine(options.out);
     if (options.is_page) console.out << ", page " << options.page.page << " of " << num_pages;
     console.out << '\n';
   }
 }
 
-void AddPoseOptions(CLI::App& command, DataPreviewOptions& options) {
-  CLI::Option* close_up = command.add_flag_callback(
-      "--close-up",
-      [&options] { options.framing = datasets::Framing::kCloseUp; },
-      "Labels on a close-up of each object, beside the whole picture");
-  CLI::Option* poses = command.add_flag(
-      "--poses", options.shows_poses, "Views of a demonstration set with hands at its poses");
+CLI::Option* AddShown(CLI::App& command,
+                      const std::string& name,
+                      Shown shown,
+                      DataPreviewOptions& options,
+                      const std::string& description) {
+  return command.add_flag_callback(
+      name, [&options, shown] { options.shown = shown; }, description);
+}
+
+void AddShownOptions(CLI::App& command, DataPreviewOptions& options) {
+  CLI::Option* close_up = AddShown(command,
+                                   "--close-up",
+                                   Shown::kCloseUp,
+                                   options,
+                                   "Labels on a close-up of each object, beside the whole picture");
+  CLI::Option* poses = AddShown(command,
+                                "--poses",
+                                Shown::kPoses,
+                                options,
+                                "Views of a demonstration set with hands at its poses");
+  CLI::Option* holds = AddShown(command,
+                                "--holds",
+                                Shown::kHolds,
+                                options,
+                                "Views of a set with holds, with both hands of each");
   poses->excludes(close_up);
+  holds->excludes(close_up)->excludes(poses);
   AddNumber(command,
             "--poses-per-view",
             options.poses,
             &datasets::DemonstrationSheetOptions::poses_per_view,
-            "At most this many hands in a view, evenly spread over its poses")
-      ->needs(poses);
+            "At most this many poses or holds in a view, evenly spread over its rows");
+}
+
+void RequireHands(const CLI::App& command, const DataPreviewOptions& options) {
+  if (options.ShowsHands() || command.count("--poses-per-view") == 0) return;
+  throw Error({.kind = Error::Kind::kUsage,
+               .reason = "--poses-per-view counts hands, and none are drawn",
+               .remedy = "give --poses or --holds"});
 }
 
 // The option that asks for a page.
@@ -178,12 +218,15 @@ void AddDataPreview(CLI::App& parent, const Console& console) {
             options->tile_width_px,
             TakenBy(&datasets::OverviewOptions::tile_width_px),
             "Width of a picture on the sheet [px]")
-      ->default_str("128, on a page 160, with poses 240");
-  AddPoseOptions(*command, *options);
+      ->default_str("128, on a page without close-ups 160, with poses or holds 240");
+  AddShownOptions(*command, *options);
   AddThreadsOption(*command, options->page.num_threads);
   AddJsonFlag(*command, options->json);
   SetExample(*command, "handcraft data preview datasets/samples/cornell_mini --out sheet.png");
-  command->callback([options, &console] { RunDataPreview(*options, console); });
+  command->callback([options, command, &console] {
+    RequireHands(*command, *options);
+    RunDataPreview(*options, console);
+  });
 }
 
 }  // namespace handcraft::tools

@@ -17,6 +17,7 @@
 #include "datasets/split_assignment.h"
 #include "datasets/stored_set.h"
 #include "lib/core/error.h"
+#include "lib/core/utf8.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "tools/number_option.h"
@@ -91,8 +92,8 @@ void PrintText(const Console& console,
          std::to_string(counts.classes.size())});
   }
   console.out << table.ToText() << '\n'
-              << (options.dry_run ? "Not written (--dry-run): " : "Wrote ") << set.list().string()
-              << '\n';
+              << (options.dry_run ? "Not written (--dry-run): " : "Wrote ")
+              << OnOneLine(set.list().string()) << '\n';
 }
 
 void PrintJson(const Console& console,

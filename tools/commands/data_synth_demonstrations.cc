@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/synthetic/demonstrations.h"
+#include "lib/core/counted.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "tools/number_option.h"
@@ -92,7 +93,7 @@ void RunDemonstrations(const DataSynthDemonstrationsOptions& options, const Cons
   }
   PrintReports(made.reports, console);
   console.out << TellWritten(
-      made.written, made.num_views, fmt::format("{} poses", made.set.items.size()), options.out);
+      made.written, made.num_views, Counted(made.set.items.size(), "pose"), options.out);
 }
 
 }  // namespace

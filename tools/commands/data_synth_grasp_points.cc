@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/synthetic/grasp_point_set.h"
+#include "lib/core/counted.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "tools/number_option.h"
@@ -52,9 +53,27 @@ void RunGraspPoints(const DataSynthOptions& options, const Console& console) {
                    {"num_images_written", made.written.num_pictures},
                    {"fingerprint", datasets::Fingerprint(made.set)}});
   } else {
-    console.out << TellWritten(
-        made.written, num_images, fmt::format("{} images with masks", num_images), options.out);
+    console.out << TellWritten(made.written,
+                               num_images,
+                               Counted(num_images, "image with a mask", "images with masks"),
+                               options.out);
   }
+}
+
+void AddSize(CLI::App& command, DataSynthOptions& options) {
+  CLI::Option* size =
+      command
+          .add_option(
+              "--size", options.size, "small: 24 images a class; full: 13247 of the trained family")
+          ->check(CLI::IsMember({"small", "full"}))
+          ->capture_default_str();
+  AddNumber(command,
+            "--images",
+            options.set.num_images,
+            IntegerWithin(1, synthetic::kMaxImages),
+            "This many instead, spread over the classes")
+      ->default_str("")
+      ->excludes(size);
 }
 
 }  // namespace
@@ -65,20 +84,7 @@ void AddDataSynthGraspPoints(CLI::App& parent, const Console& console) {
       "grasp-points",
       "Pictures of household objects on a table, what a person would hold labelled");
   AddSetFolder(*command, options->out);
-  CLI::Option* size =
-      command
-          ->add_option("--size",
-                       options->size,
-                       "small: 24 images a class; full: 13247 of the trained family")
-          ->check(CLI::IsMember({"small", "full"}))
-          ->capture_default_str();
-  AddNumber(*command,
-            "--images",
-            options->set.num_images,
-            IntegerWithin(1, synthetic::kMaxImages),
-            "This many instead, spread over the classes")
-      ->default_str("")
-      ->excludes(size);
+  AddSize(*command, *options);
   command
       ->add_option("--family",
                    options->family,

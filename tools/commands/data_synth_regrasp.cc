@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/synthetic/regrasp_set.h"
+#include "lib/core/counted.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "tools/number_option.h"
@@ -50,8 +51,8 @@ void RunRegrasp(const DataSynthRegraspOptions& options, const Console& console) 
                      {"near the table", made.counts[HoldFault::kNearTable]},
                      {"hands meet", made.counts[HoldFault::kHandsMeet]}}}});
   } else {
-    const std::string contents = fmt::format(
-        "{} poses and {} holds", made.demonstrations.items.size(), made.holds.items.size());
+    const std::string contents = Counted(made.demonstrations.items.size(), "pose") + " and " +
+                                 Counted(made.holds.items.size(), "hold");
     console.out << TellWritten(made.written, made.num_views, contents, options.out);
   }
 }

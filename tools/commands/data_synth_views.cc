@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/synthetic/view_sets.h"
+#include "lib/core/counted.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "tools/number_option.h"
@@ -47,8 +48,7 @@ void RunViews(const DataSynthViewsOptions& options, const Console& console) {
                    {"num_views_written", made.written.num_pictures},
                    {"fingerprint", datasets::Fingerprint(made.set)}});
   } else {
-    console.out << TellWritten(
-        made.written, num_views, fmt::format("{} views", num_views), options.out);
+    console.out << TellWritten(made.written, num_views, Counted(num_views, "view"), options.out);
   }
 }
 

@@ -16,8 +16,10 @@
 #include "experiments/evaluation/loaded_model.h"
 #include "experiments/evaluation/table_evaluation.h"
 #include "experiments/evaluation/table_model.h"
+#include "lib/core/counted.h"
 #include "lib/core/error.h"
 #include "lib/core/path_kind.h"
+#include "lib/core/utf8.h"
 #include "tools/cloud_commands.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
@@ -123,9 +125,9 @@ void PrintGraspPoints(const Console& console,
                       const EvaluateOptions& options,
                       const experiments::GraspPointEvaluation& evaluation) {
   const experiments::GroupFigures& all = evaluation.all;
-  console.out << fmt::format("{} on {} images ({}), scored by the runtime\n\n",
-                             options.model,
-                             all.num_images,
+  console.out << fmt::format("{} on {} ({}), scored by the runtime\n\n",
+                             OnOneLine(options.model),
+                             Counted(all.num_images, "image"),
                              options.split.empty() ? "all" : "split " + options.split)
               << ConfusionText(all.confusion, "bad", "good") << '\n';
   TextTable table({"measure", "value", "95 % interval over images"});
@@ -144,11 +146,11 @@ void PrintGraspPoints(const Console& console,
   console.out << table.ToText()
               << fmt::format(
                      "\nBest pixels: {} good of {} on good or bad ground, {} on don't-care "
-                     "ground; {} images have none\n",
+                     "ground; {} none\n",
                      all.best_good,
                      all.best_total,
                      all.best_dont_care,
-                     all.num_images_without_best);
+                     Counted(all.num_images_without_best, "image has", "images have"));
   if (evaluation.classes.size() > 1) console.out << '\n' << ClassesText(evaluation.classes);
 }
 
@@ -187,8 +189,10 @@ void EvaluateGraspPoints(const hc_model* model,
 void PrintTable(const Console& console,
                 const EvaluateOptions& options,
                 const experiments::TableEvaluation& evaluation) {
-  console.out << fmt::format(
-                     "{} on {} rows of {}\n\n", options.model, evaluation.num_rows, options.data)
+  console.out << fmt::format("{} on {} of {}\n\n",
+                             OnOneLine(options.model),
+                             Counted(evaluation.num_rows, "row"),
+                             OnOneLine(options.data))
               << ConfusionText(
                      evaluation.confusion, evaluation.negative_label, evaluation.positive_label)
               << '\n';
@@ -223,8 +227,10 @@ void EvaluateTable(const hc_model* model, const EvaluateOptions& options, const 
 void PrintClasses(const Console& console,
                   const EvaluateOptions& options,
                   const experiments::ClassEvaluation& evaluation) {
-  console.out << fmt::format(
-      "{} on {} rows of {}\n\n", options.model, evaluation.num_rows, options.data);
+  console.out << fmt::format("{} on {} of {}\n\n",
+                             OnOneLine(options.model),
+                             Counted(evaluation.num_rows, "row"),
+                             OnOneLine(options.data));
   std::vector<std::string> header = {""};
   for (const std::string& name : evaluation.classes) header.push_back("predicted " + name);
   if (evaluation.num_rejected > 0) header.emplace_back("none of them");

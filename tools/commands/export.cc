@@ -9,6 +9,7 @@
 
 #include "experiments/evaluation/loaded_model.h"
 #include "lib/core/file.h"
+#include "lib/core/utf8.h"
 #include "lib/model_io/libsvm_text.h"
 #include "lib/model_io/model_writer.h"
 #include "tools/commands.h"
@@ -32,7 +33,8 @@ void RunExport(const ExportOptions& options, const Console& console) {
   WriteFileAtomically(options.out,
                       model_io::ToLibsvmText({.model = model_io::ReadSvmModel(file),
                                               .names = model_io::ReadSvmNames(file)}));
-  console.out << "libsvm's text of " << options.model << " written to " << options.out << '\n';
+  console.out << "libsvm's text of " << OnOneLine(options.model) << " written to "
+              << OnOneLine(options.out) << '\n';
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "lib/core/file.h"
 #include "lib/core/sha256.h"
+#include "lib/core/utf8.h"
 #include "lib/model_io/libsvm_text.h"
 #include "lib/model_io/model_writer.h"
 #include "tools/commands.h"
@@ -37,8 +38,8 @@ void RunImport(const ImportOptions& options, const Console& console) {
                                                   .task = "svm",
                                                   .algorithm = "libsvm",
                                                   .parent = Sha256Hex(ReadFile(options.file))})));
-  console.out << "Model of " << svm.model.num_classes << " classes written to " << options.out
-              << '\n';
+  console.out << "Model of " << svm.model.num_classes << " classes written to "
+              << OnOneLine(options.out) << '\n';
 }
 
 }  // namespace

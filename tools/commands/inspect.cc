@@ -16,6 +16,7 @@
 
 #include "lib/core/file.h"
 #include "lib/core/sha256.h"
+#include "lib/core/utf8.h"
 #include "lib/model_io/model_writer.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
@@ -67,8 +68,8 @@ void PrintText(const Console& console,
                const std::string& path,
                const std::vector<std::uint8_t>& bytes,
                const model_io::ModelFile& file) {
-  console.out << "Model " << path << ", " << bytes.size() << " bytes\nsha256 " << Sha256Hex(bytes)
-              << "\n\n";
+  console.out << "Model " << OnOneLine(path) << ", " << bytes.size() << " bytes\nsha256 "
+              << Sha256Hex(bytes) << "\n\n";
   TextTable metadata;
   for (const auto& [key, value] : file.metadata) metadata.AddRow({key, value});
   TextTable tensors({"tensor", "type", "shape", "min", "max"});

@@ -10,6 +10,7 @@
 
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
+#include "lib/core/utf8.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "tools/lda_options.h"
@@ -115,7 +116,7 @@ void RunTrainLda(const TrainLdaOptions& options, const Console& console) {
   console.out << ToText(table, result);
   if (!options.arguments.out.empty()) {
     console.out << "\nModel of P(" << table.table.label_column << " = " << table.labels.positive
-                << ") written to " << options.arguments.out << '\n';
+                << ") written to " << OnOneLine(options.arguments.out) << '\n';
   }
 }
 

@@ -14,6 +14,7 @@
 #include "datasets/formats/table.h"
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
+#include "lib/core/utf8.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "tools/logistic_options.h"
@@ -131,7 +132,7 @@ void RunTrainLogistic(const TrainLogisticOptions& options, const Console& consol
     console.out << logistic::SummaryTable(result, table.columns);
     if (!options.arguments.out.empty() && IsUsable(result.summary)) {
       console.out << "\nModel of P(" << table.label_column << " = " << labels.positive
-                  << ") written to " << options.arguments.out << '\n';
+                  << ") written to " << OnOneLine(options.arguments.out) << '\n';
     }
   }
   RequireUsable(result.summary, table.columns, console);

@@ -14,6 +14,7 @@
 #include "datasets/view_folds.h"
 #include "experiments/metrics/binary_metrics.h"
 #include "experiments/object_classes/object_class_training.h"
+#include "lib/core/counted.h"
 #include "lib/core/error.h"
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
@@ -102,22 +103,20 @@ std::string ToText(const ObjectClassTraining& training) {
         {training.model.classes[c], std::to_string(rows[c]), std::to_string(support_vectors[c])});
   }
   const features::Similarity& kernel = training.model.svm.similarity;
-  std::string text =
-      classes.ToText() + fmt::format(
-                             "\n{} kernel, gamma {:.4g}; {} machines trained, {} support "
-                             "vectors; {}\n",
-                             features::NameOf(kernel.type),
-                             kernel.gamma,
-                             training.summary.num_machines,
-                             training.summary.num_support_vectors,
-                             training.summary.message);
+  std::string text = classes.ToText() +
+                     fmt::format("\n{} kernel, gamma {:.4g}; {} trained, {}; {}\n",
+                                 features::NameOf(kernel.type),
+                                 kernel.gamma,
+                                 Counted(training.summary.num_machines, "machine"),
+                                 Counted(training.summary.num_support_vectors, "support vector"),
+                                 training.summary.message);
   if (training.num_validated > 0) {
     const experiments::Estimate accuracy =
         experiments::WilsonInterval(training.num_correct, training.num_validated);
     text += fmt::format(
-        "Cross-validated: {} of {} views right, {:.2f} % (95 % interval {:.2f} to {:.2f} %)\n",
+        "Cross-validated: {} of {} right, {:.2f} % (95 % interval {:.2f} to {:.2f} %)\n",
         training.num_correct,
-        training.num_validated,
+        Counted(training.num_validated, "view"),
         100.0 * accuracy.value,
         100.0 * accuracy.low,
         100.0 * accuracy.high);

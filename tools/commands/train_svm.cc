@@ -16,10 +16,12 @@
 #include "experiments/evaluation/class_evaluation.h"
 #include "experiments/evaluation/loaded_model.h"
 #include "experiments/evaluation/table_model.h"
+#include "lib/core/counted.h"
 #include "lib/core/error.h"
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
 #include "lib/core/sha256.h"
+#include "lib/core/utf8.h"
 #include "lib/model_io/svm_models.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
@@ -144,10 +146,10 @@ std::string ToText(const TrainedSvm& trained) {
                     std::to_string(counts.support_vectors[c])});
   }
   return classes.ToText() +
-         fmt::format("\n{} samples, {} machines trained, {} support vectors; {}\n",
-                     result.summary.num_samples,
-                     result.summary.num_machines,
-                     result.summary.num_support_vectors,
+         fmt::format("\n{}, {} trained, {}; {}\n",
+                     Counted(result.summary.num_samples, "sample"),
+                     Counted(result.summary.num_machines, "machine"),
+                     Counted(result.summary.num_support_vectors, "support vector"),
                      result.summary.message) +
          HeldOutText(trained);
 }
@@ -255,7 +257,8 @@ void RunTrainSvm(TrainSvmOptions options, const Console& console) {
   }
   console.out << ToText(trained);
   if (!out.empty())
-    console.out << "\nModel of " << trained.table.label_column << " written to " << out << '\n';
+    console.out << "\nModel of " << trained.table.label_column << " written to " << OnOneLine(out)
+                << '\n';
 }
 
 }  // namespace

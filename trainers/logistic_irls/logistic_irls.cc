@@ -163,6 +163,15 @@ DescentEnd Training::Descend() {
   return report.end;
 }
 
+std::string RankDeficientMessage(std::size_t num_aliased, std::size_t num_features) {
+  return fmt::format(
+      "{} of {} features are linear combinations of earlier ones or of the "
+      "intercept: their weights are 0, the others are optimal; drop those "
+      "features or set a ridge",
+      num_aliased,
+      num_features);
+}
+
 void Training::Describe(DescentEnd end) {
   Summary& summary = result_.summary;
   const auto set = [&](Termination termination, std::string message, std::string advice = {}) {
@@ -177,11 +186,7 @@ void Training::Describe(DescentEnd end) {
                    fmt::format("converged in {} Newton steps on all samples", summary.iterations));
       }
       return set(Termination::kRankDeficient,
-                 fmt::format("{} of {} features are linear combinations of earlier ones or of the "
-                             "intercept: their weights are 0, the others are optimal; drop those "
-                             "features or set a ridge",
-                             summary.aliased_features.size(),
-                             objective_.NumFeatures()));
+                 RankDeficientMessage(summary.aliased_features.size(), objective_.NumFeatures()));
     case DescentEnd::kIterationLimit:
       return set(Termination::kIterationLimit,
                  fmt::format("not converged after {} Newton steps: gradient norm {:.3g} a sample",

@@ -69,13 +69,16 @@ TEST_F(CameraFileTest, RefusesValuesOfNoCamera) {
   ExpectRefused(good_ + "baseline_m = 'wide'\n", "camera.toml:7: baseline_m is no number");
   ExpectRefused(good_ + "baseline_m = -1\n", "camera.toml:7: baseline_m is -1; it must be in (0");
   ExpectRefused(good_ + "baseline_m = nan\n", "baseline_m is nan");
-  ExpectRefused(good_ + "fx = 3\n", "camera.toml:7: 'fx' in [camera] (there are width_px");
+  ExpectRefused(good_ + "baseline_m = -0.12\n", "baseline_m is -0.12; it must be");
+  ExpectRefused(good_ + "fx = 3\n",
+                "camera.toml:7: 'fx' is no key of [camera] (there are width_px");
   std::string huge = good_;
   huge.replace(huge.find("320"), 3, "9223372036854775807");
   ExpectRefused(good_ + "baseline_m = 1.5\n[lens]\n", "camera.toml:7: baseline_m is 1.5; it must");
   std::string wide = good_;
   wide.replace(wide.find("262.5"), 5, "0.5");
-  ExpectRefused(wide, "camera.toml:4: focal_px is 0.5; it must be 1 or more, up to ten times");
+  ExpectRefused(wide,
+                "camera.toml:4: focal_px is 0.5; it must be 1 or more and up to 3200, ten times");
   std::string far = good_;
   far.replace(far.find("119.5"), 5, "-1e9");
   ExpectRefused(far, "camera.toml:6: centre_v_px is -1");

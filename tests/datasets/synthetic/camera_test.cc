@@ -68,7 +68,7 @@ TEST(PinholeCamera, RefusesIntrinsicsOfNoCamera) {
   refuses({.focal_px = 0.0F}, "PinholeCamera.focal_px is 0; it must be 1 or more");
   refuses({.focal_px = std::nanf("")}, "PinholeCamera.focal_px is nan");
   refuses({.centre_u_px = 6401.0F},
-          "PinholeCamera.centre_u_px is 6401; it must be up to ten times");
+          "PinholeCamera.centre_u_px is 6401; it must be up to 6400, ten times");
   refuses({.centre_v_px = std::nanf("")}, "PinholeCamera.centre_v_px is nan");
 }
 

@@ -146,10 +146,19 @@ TEST_F(ReadMeshFileTest, RefusesAbsurdSizesAndHintsAtTheUnit) {
       (void)Read({.unit_m = 10.0F, .names = {"lid"}}), Error, HasSubstr("is 3 m long"));
 }
 
+TEST_F(ReadMeshFileTest, RefusesAFlatMeshUnlessItStands) {
+  WriteFileAtomically(folder_ / "box.obj", "v 0 0 0\nv .1 0 0\nv 0 .1 0\no sheet\nf 1 2 3\n");
+  EXPECT_THROWS_MESSAGE((void)Read({.names = {"sheet"}}),
+                        Error,
+                        HasSubstr("box.obj: is flat: 0 m high, so that it would lie within the "
+                                  "table's top (give it a thickness"));
+  EXPECT_EQ(Read({.up = UpAxis::kY, .names = {"sheet"}}).mesh.faces.size(), 1U);
+}
+
 TEST_F(ReadMeshFileTest, RefusesAMeshWithoutTextureCoordinates) {
   WriteFileAtomically(folder_ / "box.obj", "v 0 0 0\nv .1 0 0\nv 0 .1 0\nf 1 2 3\n");
   perception::WritePng(folder_ / "labels.png", Image(8, 8));
-  EXPECT_THROWS_MESSAGE((void)Read({.texture = folder_ / "labels.png"}),
+  EXPECT_THROWS_MESSAGE((void)Read({.up = UpAxis::kY, .texture = folder_ / "labels.png"}),
                         Error,
                         HasSubstr("face 0 has no texture coordinates"));
 }
@@ -159,7 +168,7 @@ TEST_F(ReadMeshFileTest, JoinsVerticesAndDropsFacesWithoutArea) {
                       "v 0 0 0\nv .1 0 0\nv 0 .1 0\nv .1 0 0\nv 0 .1 0\nv .1 .1 0\n"
                       "f 1 2 3\nf 4 6 5\nf 2 4 6\nf 1 1 2\n");
   WriteFileAtomically(folder_ / "labels.txt", "1\n0\n1\n1\n");
-  const LabelledMesh square = Read({.face_labels = folder_ / "labels.txt"});
+  const LabelledMesh square = Read({.up = UpAxis::kY, .face_labels = folder_ / "labels.txt"});
   EXPECT_EQ(square.mesh.vertices.size(), 4U);
   EXPECT_EQ(square.mesh.faces.size(), 2U);
   EXPECT_NEAR(SurfaceAreas(square.mesh).graspable, 0.005, 1e-7);

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "lib/core/error.h"
+#include "tests/lib/model_io/same_svm.h"
 #include "tests/lib/runtime/some_models.h"
 #include "tests/support/expect_throws_message.h"
 
@@ -21,32 +22,13 @@ using testing::SomeSvm;
 using testing::SomeSvmModel;
 using testing::SomeSvmNames;
 
-void ExpectSame(const SvmModel& a, const SvmModel& b) {
-  EXPECT_EQ(a.similarity.type, b.similarity.type);
-  EXPECT_EQ(a.similarity.degree, b.similarity.degree);
-  EXPECT_EQ(a.similarity.gamma, b.similarity.gamma);
-  EXPECT_EQ(a.similarity.coef0, b.similarity.coef0);
-  EXPECT_EQ(a.scheme, b.scheme);
-  EXPECT_EQ(a.num_classes, b.num_classes);
-  EXPECT_EQ(a.feature_mean, b.feature_mean);
-  EXPECT_EQ(a.feature_scale, b.feature_scale);
-  EXPECT_EQ(a.support_vectors, b.support_vectors);
-  EXPECT_EQ(a.single_precision, b.single_precision);
-  EXPECT_EQ(a.support_classes, b.support_classes);
-  EXPECT_EQ(a.machine_begins, b.machine_begins);
-  EXPECT_EQ(a.machine_supports, b.machine_supports);
-  EXPECT_EQ(a.dual_coefficients, b.dual_coefficients);
-  EXPECT_EQ(a.intercepts, b.intercepts);
-  EXPECT_EQ(a.rejection_threshold, b.rejection_threshold);
-}
-
 TEST(SvmModels, ComeBackFromTheFile) {
   for (const bool single_precision : {false, true}) {
     SvmModel model = SomeSvm();
     model.single_precision = single_precision;
     if (single_precision) model.rejection_threshold = 0.25;
     const ModelFile file = Parse(Serialise(SomeSvmModel(model)), "memory");
-    ExpectSame(ReadSvmModel(file), model);
+    testing::ExpectSame(ReadSvmModel(file), model);
     const SvmNames names = ReadSvmNames(file);
     EXPECT_EQ(names.columns, SomeSvmNames().columns);
     EXPECT_EQ(names.classes, SomeSvmNames().classes);

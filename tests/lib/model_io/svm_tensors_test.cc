@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/lib/model_io/same_svm.h"
 #include "tests/lib/runtime/some_models.h"
 #include "tests/support/expect_throws_message.h"
 
@@ -24,13 +25,7 @@ TEST(SvmTensors, ThereAndBack) {
   ModelFile file;
   AddSvmTensors(model, {"a", "b", "c"}, file);
   EXPECT_EQ(file.tensors.size(), 16U);
-  const SvmModel back = ReadSvmTensors(file);
-  EXPECT_EQ(back.support_vectors, model.support_vectors);
-  EXPECT_EQ(back.single_precision, model.single_precision);
-  EXPECT_EQ(back.machine_supports, model.machine_supports);
-  EXPECT_EQ(back.dual_coefficients, model.dual_coefficients);
-  EXPECT_EQ(back.intercepts, model.intercepts);
-  EXPECT_EQ(back.rejection_threshold, model.rejection_threshold);
+  testing::ExpectSame(ReadSvmTensors(file), model);
 }
 
 TEST(SvmTensors, DecideByHand) {

@@ -12,6 +12,7 @@
 #include "lib/core/file.h"
 #include "tests/lib/perception/png_builder.h"
 #include "tests/support/expect_throws_message.h"
+#include "tests/support/ink_jpeg.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/support/turned_jpeg.h"
 
@@ -127,6 +128,30 @@ TEST(ReadImageHeader, NamesWhatIsWrongAndWhere) {
   ByteVector damaged = TinyPng();
   damaged[45] ^= 1U;  // inside the second chunk, which begins at byte 33
   EXPECT_THROWS_MESSAGE(Read(damaged), Error, AllOf(HasSubstr("33"), HasSubstr("checksum")));
+}
+
+TEST(ReadImageHeader, RefusesInksThatNothingExplains) {
+  const testing::TemporaryDirectory folder;
+  const auto read = [&](testing::InkCode code) {
+    testing::WriteInkJpeg(folder / "inks.jpg", 8, 8, code, {128, 128, 128, 128});
+    return Read(ReadFile(folder / "inks.jpg"));
+  };
+  EXPECT_FALSE(read(testing::InkCode::kCmyk).gray);
+  EXPECT_FALSE(read(testing::InkCode::kYcck).gray);
+  EXPECT_THROWS_MESSAGE(read(testing::InkCode::kUnmarked),
+                        Error,
+                        AllOf(HasSubstr("file at byte 80: a JPEG of four inks"),
+                              HasSubstr("without Adobe's marker"),
+                              HasSubstr("(convert it to RGB)")));
+}
+
+TEST(ReadImageHeader, RefusesAJpegOfTwoChannels) {
+  const testing::TemporaryDirectory folder;
+  testing::WriteInkJpeg(
+      folder / "two.jpg", 8, 8, testing::InkCode::kUnmarked, {128, 128, 128, 128});
+  ByteVector bytes = ReadFile(folder / "two.jpg");
+  bytes[80] = 2;
+  EXPECT_THROWS_MESSAGE(Read(bytes), Error, HasSubstr("a JPEG of 2 channels; 1, 3 or 4 are due"));
 }
 
 TEST(ReadImageHeader, RefusesAbsurdSizes) {

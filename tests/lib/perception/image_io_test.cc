@@ -3,6 +3,8 @@
 
 #include "lib/perception/image_io.h"
 
+#include <array>
+#include <cstddef>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -15,6 +17,7 @@
 #include "lib/core/rng.h"
 #include "tests/lib/perception/png_builder.h"
 #include "tests/support/expect_throws_message.h"
+#include "tests/support/ink_jpeg.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/support/turned_jpeg.h"
 
@@ -116,6 +119,45 @@ TEST(ReadImage, TakesAnUnknownRotationTagForNone) {
     EXPECT_GT(image.At(4, 8), 240) << orientation;
     EXPECT_LT(image.At(28, 8), 15) << orientation;
   }
+}
+
+// What a pixel with these inks looks like, 255 for none of an ink: Adobe's programs write them so.
+std::array<double, 3> BlueGreenRed(const std::array<double, 4>& inks) {
+  const double black = inks[3] / 255.0;
+  return {inks[2] * black, inks[1] * black, inks[0] * black};
+}
+
+void ExpectInks(testing::InkCode code,
+                const std::array<int, 4>& stored,
+                const std::array<double, 4>& inks) {
+  const testing::TemporaryDirectory folder;
+  testing::WriteInkJpeg(folder / "inks.jpg", 24, 16, code, stored);
+  const Image image = ReadImage(folder / "inks.jpg");
+  ASSERT_EQ(image.width(), 24);
+  ASSERT_EQ(image.channels(), 3);
+  const std::array<double, 3> expected = BlueGreenRed(inks);
+  for (const int u : {0, 23}) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_NEAR(image.At(u, 9, static_cast<int>(c)), expected[c], 2.0) << u << ' ' << c;
+    }
+  }
+}
+
+TEST(ReadImage, TurnsAdobesInksIntoColours) {
+  ExpectInks(testing::InkCode::kCmyk, {228, 30, 128, 210}, {228, 30, 128, 210});
+  ExpectInks(testing::InkCode::kCmyk, {255, 255, 255, 255}, {255, 255, 255, 255});
+  ExpectInks(testing::InkCode::kCmyk, {255, 255, 255, 1}, {255, 255, 255, 1});
+}
+
+TEST(ReadImage, TurnsAdobesLumaAndChromaOfInksIntoColours) {
+  // ITU-T T.871: red = Y + 1.402 (Cr - 128) and so on; cyan is 255 less that.
+  ExpectInks(testing::InkCode::kYcck, {200, 128, 128, 220}, {55, 55, 55, 220});
+  ExpectInks(testing::InkCode::kYcck,
+             {128, 64, 192, 255},
+             {255 - 128 - 1.402 * 64,
+              255 - 128 - 0.344136 * 64 + 0.714136 * 64,
+              255 - 128 + 1.772 * 64,
+              255});
 }
 
 TEST(ReadImage, ReadsWhatWasWritten) {

@@ -13,36 +13,29 @@
 #include "lib/runtime/model_parser.h"
 #include "tests/lib/features/some_cloud.h"
 #include "tests/lib/runtime/some_models.h"
+#include "tests/lib/runtime/stored_model.h"
 
 namespace handcraft::runtime {
 namespace {
 
 using features::testing::SomeCloud;
 using model_io::ModelFile;
-using ::testing::HasSubstr;
 
 Result<GraspLibraryModel> Load(const ModelFile& model) {
-  const std::vector<std::uint8_t> bytes = model_io::Serialise(model);
-  return LoadGraspLibrary(*ParseModel(bytes));
+  return testing::LoadStored<&LoadGraspLibrary>(model);
 }
 
 void ExpectRefused(const std::function<void(ModelFile&)>& change,
                    const std::string& message,
                    hc_status status = HC_ERROR_CONTENT) {
-  ModelFile model = testing::SomeGraspLibraryModel();
-  change(model);
-  const auto loaded = Load(model);
-  ASSERT_FALSE(loaded) << message;
-  EXPECT_EQ(loaded.error().status, status) << loaded.error().message;
-  EXPECT_THAT(loaded.error().message, HasSubstr(message));
+  testing::ExpectRefusal<&LoadGraspLibrary>(
+      testing::SomeGraspLibraryModel(), change, message, status);
 }
 
 // Sets an entry of a tensor.
 template <class T>
 std::function<void(ModelFile&)> Set(const std::string& name, std::size_t entry, T value) {
-  return [=](ModelFile& model) {
-    std::get<std::vector<T>>(model.tensors.at(name).values)[entry] = value;
-  };
+  return [=](ModelFile& model) { testing::In<T>(model, name)[entry] = value; };
 }
 
 SomeCloud UprightPatch() {

@@ -13,33 +13,23 @@
 
 #include "lib/runtime/model_parser.h"
 #include "tests/lib/runtime/some_models.h"
+#include "tests/lib/runtime/stored_model.h"
 
 namespace handcraft::runtime {
 namespace {
 
 using model_io::ModelFile;
-using ::testing::HasSubstr;
+using testing::In;
 
 Result<ObjectClassModel> Load(const ModelFile& model) {
-  const std::vector<std::uint8_t> bytes = model_io::Serialise(model);
-  return LoadObjectClassModel(*ParseModel(bytes));
+  return testing::LoadStored<&LoadObjectClassModel>(model);
 }
 
 void ExpectRefused(const std::function<void(ModelFile&)>& change,
                    const std::string& message,
                    hc_status status = HC_ERROR_CONTENT) {
-  ModelFile model = testing::SomeObjectClassModel();
-  change(model);
-  const auto loaded = Load(model);
-  ASSERT_FALSE(loaded) << message;
-  EXPECT_EQ(loaded.error().status, status) << loaded.error().message;
-  EXPECT_THAT(loaded.error().message, HasSubstr(message));
-}
-
-// The values of a tensor of the model, to be changed.
-template <class T>
-std::vector<T>& In(ModelFile& model, const std::string& name) {
-  return std::get<std::vector<T>>(model.tensors.at(name).values);
+  testing::ExpectRefusal<&LoadObjectClassModel>(
+      testing::SomeObjectClassModel(), change, message, status);
 }
 
 TEST(ObjectClassModel, ClassifiesByHand) {

@@ -12,35 +12,22 @@
 
 #include "lib/runtime/model_parser.h"
 #include "tests/lib/runtime/some_models.h"
+#include "tests/lib/runtime/stored_model.h"
 
 namespace handcraft::runtime {
 namespace {
 
 using model_io::ModelFile;
-using ::testing::HasSubstr;
+using testing::In;
 using Integers = std::vector<std::int32_t>;
 using Numbers = std::vector<double>;
 
-Result<SvmModel> Load(const ModelFile& model) {
-  const std::vector<std::uint8_t> bytes = model_io::Serialise(model);
-  return LoadSvmModel(*ParseModel(bytes));
-}
+Result<SvmModel> Load(const ModelFile& model) { return testing::LoadStored<&LoadSvmModel>(model); }
 
 void ExpectRefused(const std::function<void(ModelFile&)>& change,
                    const std::string& message,
                    hc_status status = HC_ERROR_CONTENT) {
-  ModelFile model = testing::SomeSvmModel();
-  change(model);
-  const auto loaded = Load(model);
-  ASSERT_FALSE(loaded) << message;
-  EXPECT_EQ(loaded.error().status, status) << loaded.error().message;
-  EXPECT_THAT(loaded.error().message, HasSubstr(message));
-}
-
-// The values of a tensor of the model, to be changed.
-template <class T>
-std::vector<T>& In(ModelFile& model, const std::string& name) {
-  return std::get<std::vector<T>>(model.tensors.at(name).values);
+  testing::ExpectRefusal<&LoadSvmModel>(testing::SomeSvmModel(), change, message, status);
 }
 
 TEST(LoadSvmModel, KeepsNamesAndSizes) {

@@ -40,7 +40,7 @@ TEST(DataPreview, GoesNearToObjects) {
   ASSERT_EQ(RunLine(line + " --images-per-class 1 --tile-width 64").code, 0);
   EXPECT_EQ(perception::ReadImage(out).width(), 3 * 64) << "whole, near, near with labels";
   ASSERT_EQ(RunLine(line + " --page 1 --columns 2 --rows 1 --tile-width 64").code, 0);
-  EXPECT_EQ(perception::ReadImage(out).width(), 2 * 68);
+  EXPECT_EQ(perception::ReadImage(out).width(), 2 * (2 * 64 + 4)) << "whole, near with labels";
   const Outcome outcome = RunLine(line + " --poses");
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("--close-up"));
@@ -73,6 +73,22 @@ TEST(DataPreview, DrawsShownPoses) {
   EXPECT_EQ(RunLine("data preview " + root + " --out " + out + " --poses --page 1").code, 0);
   EXPECT_EQ(perception::ReadImage(out).width(), 3 * (240 + 4));
   EXPECT_EQ(RunLine("data preview " + kSample + " --out " + out + " --poses").code, 3);
+}
+
+TEST(DataPreview, DrawsBothHandsOfHolds) {
+  const TemporaryDirectory folder;
+  handcraft::testing::MakeDemonstrationSet(folder.path());
+  const std::string root = folder.path().string();
+  const std::string line = "data preview " + root + " --out " + (folder / "sheet.png").string();
+  EXPECT_THAT(RunLine(line + " --holds").err, HasSubstr("holds.csv"));
+  datasets::WriteHolds({.root = folder.path(), .items = {{"can", "can", "can_0.png", {}, {}}}});
+  const Outcome outcome = RunLine(line + " --holds --poses-per-view 5 --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["num_images"], 1);
+  EXPECT_EQ(json["width_px"], 240);
+  EXPECT_THAT(RunLine(line + " --holds --poses").err, HasSubstr("--holds excludes --poses"));
+  EXPECT_THAT(RunLine(line + " --poses-per-view 5").err, HasSubstr("give --poses or --holds"));
 }
 
 TEST(DataPreview, DrawsViewsTheirDepthsAndTheirObjects) {
@@ -112,7 +128,7 @@ TEST(DataPreview, NamesWhatIsWrong) {
   EXPECT_THAT(RunLine("data preview no/such --out sheet.png").err, HasSubstr("no/such"));
   EXPECT_EQ(RunLine("data preview " + kSample + " --out no/folder/sheet.png").code, 3);
   EXPECT_THAT(RunLine("data preview " + kSample + " --out x.png --page 9").err,
-              HasSubstr("no page 9: 24 pictures fill 1 pages of 48"));
+              HasSubstr("no page 9; the last is page 1 (24 pictures, 48 a page)"));
   EXPECT_THAT(RunLine("data preview " + kSample + " --out x.png --rows 3").err,
               HasSubstr("--rows requires --page"));
   EXPECT_THAT(RunLine("data preview " + kSample + " --out x.png --tile-width 3").err,
