@@ -140,10 +140,7 @@ std::function<void(const fs::path& tree)> CopyOfViews(const std::string& name) {
   return [name](const fs::path& tree) { Copy(kData / "views" / name, tree); };
 }
 
-std::vector<Format> Formats() {
-  const FoldersOptions saxena{.images = ".", .masks = ".", .mask_suffix = "_label"};
-  const LabelRoles handle{.good = {"handle"}};
-  const std::string washington = "mug/mug_1/mug_1_1_1";
+std::vector<Format> FormatsOfGrasps() {
   return {
       {.name = "cornell",
        .fill = FillCornell,
@@ -158,6 +155,17 @@ std::vector<Format> Formats() {
        .list = [](const fs::path& tree) { return ListJacquard(tree, {}); },
        .files = {{"1a2b/0_1a2b_RGB.png", "0_1a2b_grasps.txt: left out: no *_RGB.png beside it"},
                  {"1a2b/0_1a2b_grasps.txt", "0_1a2b_RGB.png: left out: no *_grasps.txt beside"}}},
+      {.name = "umd",
+       .fill = FillUmd,
+       .list = [](const fs::path& tree) { return ListUmd(tree, UmdRoles()); },
+       .files = {{"mug_01/mug_01_00000001_rgb.png", "_label.mat: left out: no *_rgb.jpg beside it"},
+                 {"mug_01/mug_01_00000001_label.mat", "_rgb.png: left out: no *_label.mat or "}}}};
+}
+
+std::vector<Format> FormatsOfPairs() {
+  const FoldersOptions saxena{.images = ".", .masks = ".", .mask_suffix = "_label"};
+  const LabelRoles handle{.good = {"handle"}};
+  return {
       {.name = "saxena",
        .fill = FillSaxena,
        .list = [=](const fs::path& tree) { return ListFolders(tree, saxena); },
@@ -168,16 +176,6 @@ std::vector<Format> Formats() {
        .list = [](const fs::path& tree) { return ListFolders(tree, {}); },
        .files = {{"images/b.png", "masks/b.png: left out: no picture: expected "},
                  {"masks/b.png", "images/b.png: left out: no mask: expected "}}},
-      {.name = "labelme",
-       .fill = FillLabelme,
-       .list = [](const fs::path& tree) { return ListLabelme(tree, {}); },
-       .files = {{"cup.png", "cup.json: left out: the picture that it names is not there"},
-                 {"cup.json", "cup.png: left out: no LabelMe file names this picture"}}},
-      {.name = "coco",
-       .fill = FillCoco,
-       .list = [](const fs::path& tree) { return ListCoco(tree / "instances.json", {}); },
-       .files = {{"pcd0110r.png", "pcd0110r.png: left out: no such file, which "},
-                 {"instances.json", "refused: cannot open"}}},
       {.name = "cvat_masks",
        .fill = FillCvatMasks,
        .list = [=](const fs::path& tree) { return ListCvat(tree, {.roles = handle}); },
@@ -185,24 +183,37 @@ std::vector<Format> Formats() {
                   "SegmentationClass/pcd0100r.png: left out: no picture of this mask in "},
                  {"SegmentationClass/pcd0110r.png", "pcd0110r.png: left out: no such mask, which"},
                  {"ImageSets/Segmentation/default.txt", "refused: no *.txt with names"},
-                 {"labelmap.txt", "refused: neither labelmap.txt"}}},
-      {.name = "cvat_shapes",
-       .fill = FillCvatShapes,
-       .list = [](const fs::path& tree) { return ListCvat(tree, {}); },
-       .files = {{"images/pcd0110r.png", "images/pcd0110r.png: left out: no such file, which "},
-                 {"annotations.xml", "refused: nor annotations.xml"}}},
-      {.name = "umd",
-       .fill = FillUmd,
-       .list = [](const fs::path& tree) { return ListUmd(tree, UmdRoles()); },
-       .files = {{"mug_01/mug_01_00000001_rgb.png", "_label.mat: left out: no *_rgb.jpg beside it"},
-                 {"mug_01/mug_01_00000001_label.mat", "_rgb.png: left out: no *_label.mat or "}}},
+                 {"labelmap.txt", "refused: neither labelmap.txt"}}}};
+}
+
+std::vector<Format> FormatsOfShapes() {
+  return {{.name = "labelme",
+           .fill = FillLabelme,
+           .list = [](const fs::path& tree) { return ListLabelme(tree, {}); },
+           .files = {{"cup.png", "cup.json: left out: the picture that it names is not there"},
+                     {"cup.json", "cup.png: left out: no LabelMe file names this picture"}}},
+          {.name = "coco",
+           .fill = FillCoco,
+           .list = [](const fs::path& tree) { return ListCoco(tree / "instances.json", {}); },
+           .files = {{"pcd0110r.png", "pcd0110r.png: left out: no such file, which "},
+                     {"instances.json", "refused: cannot open"}}},
+          {.name = "cvat_shapes",
+           .fill = FillCvatShapes,
+           .list = [](const fs::path& tree) { return ListCvat(tree, {}); },
+           .files = {{"images/pcd0110r.png", "images/pcd0110r.png: left out: no such file, which "},
+                     {"annotations.xml", "refused: nor annotations.xml"}}}};
+}
+
+std::vector<Format> FormatsOfViews() {
+  const std::string washington = "mug/mug_1/mug_1_1_1";
+  return {
       {.name = "eth80",
        .fill = CopyOfViews("eth80"),
        .list = [](const fs::path& tree) { return ListEth80(tree, {}); },
        .makes_views = true,
        .files = {{"mug1/mug1-090-000.png", "mug1-090-000-map.png: left out: no picture OBJECT-PPP"},
                  {"mug1/maps/mug1-090-000-map.png", "mug1-090-000.png: left out: no silhouette"}}},
-      // Nothing tells that a picture of these is missing: there is one file a view, and no list.
+      // Nothing tells that a picture of these is missing: one file a view, and no list.
       {.name = "coil",
        .fill = CopyOfViews("coil"),
        .list = [](const fs::path& tree) { return ListCoil(tree, {}); },
@@ -304,10 +315,12 @@ TEST_P(IncompleteSources, NamesWhatIsOfNoUse) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Importers,
-                         IncompleteSources,
-                         ::testing::ValuesIn(Formats()),
-                         [](const auto& format) { return format.param.name; });
+std::string NameOf(const ::testing::TestParamInfo<Format>& format) { return format.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Grasps, IncompleteSources, ::testing::ValuesIn(FormatsOfGrasps()), NameOf);
+INSTANTIATE_TEST_SUITE_P(Pairs, IncompleteSources, ::testing::ValuesIn(FormatsOfPairs()), NameOf);
+INSTANTIATE_TEST_SUITE_P(Shapes, IncompleteSources, ::testing::ValuesIn(FormatsOfShapes()), NameOf);
+INSTANTIATE_TEST_SUITE_P(Views, IncompleteSources, ::testing::ValuesIn(FormatsOfViews()), NameOf);
 
 }  // namespace
 }  // namespace handcraft::datasets
