@@ -134,6 +134,9 @@ TEST(RunHandcraft, RefusesWrongOptionsWithAHint) {
                       HasSubstr("Try 'handcraft " + command + " --help'.")));
   }
   EXPECT_THAT(RunLine("train logistic t --label l --ridge x").err, HasSubstr("--ridge"));
+  // In the order in which they were given.
+  EXPECT_THAT(RunLine("inspect m --first 1 --second").err,
+              HasSubstr("The following arguments were not expected: --first 1 --second"));
 }
 
 TEST(RunHandcraft, HintsAtHelpForAValueOutOfRange) {
@@ -232,7 +235,7 @@ TEST(RunHandcraft, SaysWhenStandardOutputTakesNoMore) {
 // ./demo. `bench` is left out: it takes minutes.
 TEST(RunHandcraft, ExamplesWorkAsPrinted) {
   const TemporaryDirectory root;
-  const std::filesystem::path source = HANDCRAFT_SOURCE_DIR;
+  const std::filesystem::path source = std::filesystem::absolute(HANDCRAFT_SOURCE_DIR);
   for (const char* name : {"datasets", "tests", "docs"}) {
     std::filesystem::create_directory_symlink(source / name, root / name);
   }
