@@ -68,7 +68,7 @@ ViewClasses ClassesOf(const ViewSet& set) {
 }
 
 std::vector<std::uint32_t> GroupedFolds(const ViewSet& set, int num_folds) {
-  RequireOption(num_folds >= 2, "num_folds", num_folds, "at least 2");
+  RequireOption(num_folds >= 2, "the number of folds", num_folds, "at least 2");
   const auto count = static_cast<std::size_t>(num_folds);
   const Instances instances = InstancesOf(set);
   std::map<std::string, std::size_t> dealt;  // views of a class without an angle

@@ -3,6 +3,7 @@
 
 #include "tools/cloud_commands.h"
 
+#include <cmath>
 #include <ostream>
 #include <utility>
 
@@ -28,17 +29,36 @@ experiments::CountsAs ParseCountsAs(const std::vector<std::string>& pairs) {
     const std::size_t at = pair.find('=');
     if (at == std::string::npos || at == 0 || at + 1 == pair.size()) {
       throw Error({.kind = Error::Kind::kUsage,
-                   .reason = "--counts-as " + pair + ": CLASS=CLASS_OF_THE_MODEL is due"});
+                   .reason = "--counts-as " + pair + ": CLASS=CLASS_OF_THE_MODEL is due",
+                   .remedy = "for what is no class of the model: '--counts-as \"CLASS=" +
+                             std::string(experiments::kNoneOfThese) + "\"'"});
     }
     counts_as.emplace(pair.substr(0, at), pair.substr(at + 1));
   }
   return counts_as;
 }
 
+// Empty when the model rejects nothing and need not.
+std::string RejectionText(const svm::Rejection& rejection) {
+  if (std::isfinite(rejection.threshold)) {
+    return fmt::format(
+        "None of these below a margin of {:.4g}: {} of {} novel views found, {} of {} known ones "
+        "lost\n",
+        rejection.threshold,
+        rejection.num_novel_rejected,
+        rejection.num_novel,
+        rejection.num_known_rejected,
+        rejection.num_known);
+  }
+  if (rejection.num_novel == 0) return "";
+  return "The model has no threshold and takes everything for one of its classes: train it with "
+         "--novel.\n";
+}
+
 std::string ToText(const experiments::CloudEvaluation& evaluation) {
   std::vector<std::string> header = {""};
   for (const std::string& name : evaluation.classes) header.push_back("predicted " + name);
-  if (evaluation.num_rejected > 0) header.emplace_back("none of them");
+  if (evaluation.num_rejected > 0) header.emplace_back(experiments::kNoneOfThese);
   TextTable confusion(header);
   for (std::size_t t = 0; t < evaluation.truths.size(); ++t) {
     std::vector<std::string> row = {evaluation.truths[t]};
@@ -48,13 +68,14 @@ std::string ToText(const experiments::CloudEvaluation& evaluation) {
     confusion.AddRow(row);
   }
   return fmt::format(
-      "{}\n{} of {} views right: accuracy {:.2f} % (95 % interval {:.2f} to {:.2f} %)\n",
+      "{}\n{} of {} views right: accuracy {:.2f} % (95 % interval {:.2f} to {:.2f} %)\n{}",
       confusion.ToText(),
       evaluation.num_correct,
       evaluation.num_views,
       100.0 * evaluation.accuracy.value,
       100.0 * evaluation.accuracy.low,
-      100.0 * evaluation.accuracy.high);
+      100.0 * evaluation.accuracy.high,
+      RejectionText(evaluation.rejection));
 }
 
 datasets::MaskedCloud ReadObject(const std::string& path,
@@ -106,6 +127,8 @@ void EvaluateClouds(const hc_model* model,
 Json PredictClouds(const hc_model* model, const PredictCloudsOptions& options) {
   const datasets::ObjectCloudOptions clouds = experiments::ReadCloudOptions(options.model);
   experiments::CloudClassifier classifier(model);
+  const double margin_least = experiments::RejectionThreshold(model);
+  const Json threshold = std::isfinite(margin_least) ? Json(margin_least) : Json();
   Json predictions = Json::array();
   for (const std::string& path : options.clouds) {
     const experiments::CloudClass found = classifier.Classify(ReadObject(path, options, clouds));
@@ -116,10 +139,12 @@ Json PredictClouds(const hc_model* model, const PredictCloudsOptions& options) {
                    .remedy = "look at --up, --up-angle and --table-distance, or give "
                              "--object-mask"});
     }
-    const Json name = found.is_rejected ? Json() : Json(hc_model_class_name(model, found.number));
+    const std::string nearest = hc_model_class_name(model, found.number);
     predictions.push_back({{"cloud", path},
-                           {"class", name},
+                           {"class", found.is_rejected ? Json() : Json(nearest)},
+                           {"nearest_class", nearest},
                            {"margin", found.margin},
+                           {"rejection_threshold", threshold},
                            {"decision_values", found.decision_values}});
   }
   return predictions;
@@ -128,8 +153,11 @@ Json PredictClouds(const hc_model* model, const PredictCloudsOptions& options) {
 std::string CloudTable(const Json& predictions) {
   TextTable table({"cloud", "class", "margin"});
   for (const Json& found : predictions) {
+    const auto nearest = found["nearest_class"].get<std::string>();
     table.AddRow({found["cloud"].get<std::string>(),
-                  found["class"].is_null() ? "none of them" : found["class"].get<std::string>(),
+                  found["class"].is_null()
+                      ? fmt::format("{}; the nearest is {}", experiments::kNoneOfThese, nearest)
+                      : nearest,
                   fmt::format("{:.4f}", found["margin"].get<double>())});
   }
   return table.ToText();

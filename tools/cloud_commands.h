@@ -40,8 +40,9 @@ struct PredictCloudsOptions {
   perception::TableRemovalOptions table = {};
 };
 
-/// The class of the object in each cloud: [{"cloud", "class", "margin", "decision_values"}, …]; a
-/// rejected one has the class null. Throws Error(kNoResult) when too little of an object was
+/// The class of the object in each cloud: [{"cloud", "class", "nearest_class", "margin",
+/// "rejection_threshold", "decision_values"}, …]; a rejected one has the class null, a model that
+/// rejects nothing the threshold null. Throws Error(kNoResult) when too little of an object was
 /// measured, Error(kBadInput) when a file is no organised cloud.
 [[nodiscard]] nlohmann::ordered_json PredictClouds(const hc_model* model,
                                                    const PredictCloudsOptions& options);

@@ -93,11 +93,24 @@ std::string FullName(const CLI::App& command) {
   return parent == nullptr ? command.get_name() : FullName(*parent) + " " + command.get_name();
 }
 
+// CLI11 lists what it did not expect from the end.
+std::string DescribeOptionError(const CLI::App& command, const CLI::ParseError& error) {
+  const std::vector<std::string> rest = command.remaining();
+  if (rest.empty() || dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr) return error.what();
+  std::string words;
+  for (const std::string& word : rest) words += " " + word;
+  return (rest.size() == 1 ? "The following argument was not expected:"
+                           : "The following arguments were not expected:") +
+         words;
+}
+
 // CLI11 answers a wrong command word with "A subcommand is required": name the word and the choice.
 std::string DescribeParseError(const CLI::App& command, const CLI::ParseError& error) {
   const std::vector<const CLI::App*> choices =
       command.get_subcommands([](const CLI::App* choice) { return !choice->get_name().empty(); });
-  if (choices.empty() || command.get_require_subcommand_min() == 0) return error.what();
+  if (choices.empty() || command.get_require_subcommand_min() == 0) {
+    return DescribeOptionError(command, error);
+  }
   std::string names;
   for (const CLI::App* choice : choices) names += (names.empty() ? "" : ", ") + choice->get_name();
   const std::vector<std::string> rest = command.remaining();

@@ -100,7 +100,7 @@ void AddObjectClassOptions(CLI::App& command, ObjectClassOptions& options) {
             "--folds",
             options,
             &ObjectClassOptions::num_folds,
-            "Of cross-validation, neighbouring views together; 0: none");
+            "Of cross-validation, neighbouring views together; 0: none, -1: each view alone");
   AddSvmOptions(command, options.svm);
 }
 

@@ -17,16 +17,15 @@
 
 namespace handcraft::tools {
 
-void AddSvmGrowthOptions(CLI::App& command, SvmGrowth& growth) {
+void AddSvmGrowthOptions(CLI::App& command, const std::string& target, SvmGrowth& growth) {
   CLI::Option* add = command
                          .add_option("--add-class",
                                      growth.new_class,
                                      "Train this class's pairs alone; the others stay as they are")
                          ->type_name("NAME")
                          ->group(kSvmGroup);
-  CLI::Option* to = command.add_option("--to", growth.model, "Model to add the class to")
-                        ->type_name("MODEL")
-                        ->group(kSvmGroup);
+  CLI::Option* to =
+      command.add_option("--to", growth.model, target)->type_name("MODEL")->group(kSvmGroup);
   add->needs(to);
   to->needs(add);
   for (const char* answered : {"--kernel",
@@ -35,9 +34,13 @@ void AddSvmGrowthOptions(CLI::App& command, SvmGrowth& growth) {
                                "--coef0",
                                "--scheme",
                                "--standardize",
-                               "--folds",
                                "--search",
-                               "--novel"}) {
+                               "--descriptor",
+                               "--grid-size",
+                               "--box",
+                               "--scaling",
+                               "--frame",
+                               "--outlier-step"}) {
     if (CLI::Option* const option = command.get_option_no_throw(answered)) add->excludes(option);
   }
 }

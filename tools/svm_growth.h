@@ -21,9 +21,10 @@ struct SvmGrowth {
   std::string model = {};      ///< the model file
 };
 
-/// --add-class NAME --to MODEL. Neither goes with the options of `command` that the model answers:
-/// kernel, scheme, normaliser and what chooses them.
-void AddSvmGrowthOptions(CLI::App& command, SvmGrowth& growth);
+/// --add-class NAME --to MODEL, `target` saying what becomes of it. Neither goes with the options
+/// of `command` that the model answers: descriptor, kernel, scheme, normaliser and what chooses
+/// them.
+void AddSvmGrowthOptions(CLI::App& command, const std::string& target, SvmGrowth& growth);
 
 /// The model that a class is added to.
 struct GrowingSvm {

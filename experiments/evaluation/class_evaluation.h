@@ -33,7 +33,7 @@ struct ClassEvaluation {
   std::size_t num_rows = 0;
   std::string label_column = {};
   std::vector<std::string> classes = {};
-  /// Rows: the truth; columns: what the model says, the last one "none of them".
+  /// Rows: the truth; columns: what the model says, the last one kNoneOfThese.
   std::vector<std::vector<std::size_t>> confusion = {};
   std::size_t num_correct = 0;
   std::size_t num_rejected = 0;

@@ -4,7 +4,9 @@
 #include "experiments/evaluation/cloud_evaluation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <set>
 
 #include <nlohmann/json.hpp>
@@ -16,6 +18,7 @@
 #include "lib/core/file.h"
 #include "lib/model_io/model_writer.h"
 #include "lib/model_io/object_class_models.h"
+#include "lib/runtime/model_handle.h"
 
 namespace handcraft::experiments {
 namespace {
@@ -44,7 +47,8 @@ std::vector<std::set<std::size_t>> RightClasses(const std::vector<std::string>& 
     }
     throw Error({.path = (set.root).string(),
                  .reason = "the class '" + name + "' is not one of the model's: " + list,
-                 .remedy = "say which it counts as: --counts-as " + name + "=CLASS"});
+                 .remedy = "say which it counts as: --counts-as " + name + "=CLASS, or '" + name +
+                           "=" + std::string(kNoneOfThese) + "'"});
   };
   std::vector<std::set<std::size_t>> right;
   for (const std::string& truth : truths) {
@@ -57,12 +61,22 @@ std::vector<std::set<std::size_t>> RightClasses(const std::vector<std::string>& 
   return right;
 }
 
+void Count(bool is_novel, bool is_rejected, svm::Rejection& rejection) {
+  ++(is_novel ? rejection.num_novel : rejection.num_known);
+  if (is_rejected) ++(is_novel ? rejection.num_novel_rejected : rejection.num_known_rejected);
+}
+
 }  // namespace
 
 datasets::ObjectCloudOptions ReadCloudOptions(const std::filesystem::path& model) {
   const model_io::ObjectClassModel read =
       model_io::ReadObjectClassModel(model_io::Parse(ReadFile(model), model.string()));
   return {.frame = read.descriptor.frame, .outlier_step = read.outlier_step};
+}
+
+double RejectionThreshold(const hc_model* model) noexcept {
+  const runtime::SvmModel* const svm = model == nullptr ? nullptr : model->Svm();
+  return svm == nullptr ? -std::numeric_limits<double>::infinity() : svm->RejectionThreshold();
 }
 
 CloudClassifier::CloudClassifier(const hc_model* model) : model_(model) {
@@ -110,6 +124,7 @@ CloudEvaluation EvaluateClouds(const hc_model* model,
   CloudEvaluation evaluation{.num_views = set.items.size(),
                              .truths = truths.names,
                              .classes = ClassNamesOf(model),
+                             .rejection = {.threshold = RejectionThreshold(model)},
                              .accuracy = {}};
   const std::size_t num_classes = evaluation.classes.size();
   const auto right = RightClasses(truths.names, evaluation.classes, counts_as, set);
@@ -129,6 +144,7 @@ CloudEvaluation EvaluateClouds(const hc_model* model,
                                   .is_right = is_right});
     evaluation.num_correct += is_right ? 1 : 0;
     evaluation.num_rejected += has_class ? 0 : 1;
+    Count(right[truth] == std::set{num_classes}, !has_class, evaluation.rejection);
   }
   evaluation.accuracy = WilsonInterval(evaluation.num_correct, evaluation.num_views);
   return evaluation;
@@ -143,6 +159,13 @@ std::string ToJson(const CloudEvaluation& evaluation) {
   json["num_correct"] = evaluation.num_correct;
   json["num_rejected"] = evaluation.num_rejected;
   json["confusion"] = evaluation.confusion;
+  const svm::Rejection& rejection = evaluation.rejection;
+  const bool rejects = std::isfinite(rejection.threshold);
+  json["rejection_threshold"] = rejects ? nlohmann::ordered_json(rejection.threshold) : nullptr;
+  json["num_known"] = rejection.num_known;
+  json["num_known_rejected"] = rejection.num_known_rejected;
+  json["num_novel"] = rejection.num_novel;
+  json["num_novel_rejected"] = rejection.num_novel_rejected;
   return JsonText(json);
 }
 

@@ -16,17 +16,22 @@
 #include "experiments/metrics/binary_metrics.h"
 #include "lib/core/progress.h"
 #include "lib/runtime/handcraft_runtime.h"
+#include "trainers/svm/rejection.h"
 
 namespace handcraft::experiments {
 
 /// How a model of object classes wants its clouds, from the file.
 [[nodiscard]] datasets::ObjectCloudOptions ReadCloudOptions(const std::filesystem::path& model);
 
+/// The margin below which a model of classes says that it is none of them; −∞ for a model that
+/// rejects nothing, for other kinds and for null.
+[[nodiscard]] double RejectionThreshold(const hc_model* model) noexcept;
+
 /// What the runtime says about an object's cloud.
 struct CloudClass {
   bool has_points = false;  ///< else nothing below is set: too few were measured
   std::size_t number = 0;
-  bool is_rejected = false;
+  bool is_rejected = false;  ///< none of the classes; `number` is the nearest one
   double margin = 0.0;
   std::vector<double> decision_values = {};  ///< one a machine
 };
@@ -59,7 +64,7 @@ using CountsAs = std::multimap<std::string, std::string>;
 /// What was said of one view.
 struct CloudAnswer {
   std::size_t truth = 0;   ///< of CloudEvaluation.truths
-  std::size_t answer = 0;  ///< of CloudEvaluation.classes, or their number for "none of them"
+  std::size_t answer = 0;  ///< of CloudEvaluation.classes, or their number for kNoneOfThese
   double margin = 0.0;     ///< of a view of which enough was measured
   bool has_points = false;
   bool is_right = false;
@@ -69,12 +74,15 @@ struct CloudEvaluation {
   std::size_t num_views = 0;
   std::vector<std::string> truths = {};   ///< classes of the set, in the order of the views
   std::vector<std::string> classes = {};  ///< of the model
-  /// A row a truth; a column a class, and a last one for "none of them".
+  /// A row a truth; a column a class, and a last one for kNoneOfThese.
   std::vector<std::vector<std::size_t>> confusion = {};
   std::vector<CloudAnswer> answers = {};  ///< one a view
   std::size_t num_correct = 0;
   std::size_t num_rejected = 0;  ///< with those of which too little was measured
-  Estimate accuracy = {};        ///< Wilson over views
+  /// The model's threshold (−∞: none) and what was rejected of the known views and of the novel
+  /// ones, for which nothing but kNoneOfThese is right.
+  svm::Rejection rejection = {};
+  Estimate accuracy = {};  ///< Wilson over views
 };
 
 /// Classifies every view. Throws Error(kBadInput) naming a class of the set, or of `counts_as`,

@@ -64,7 +64,7 @@ std::string PercentText(double share) {
 
 std::string PercentIntervalText(const Estimate& estimate) {
   if (std::isnan(estimate.low) || std::isnan(estimate.high)) return "";
-  return fmt::format("[{:.1f}, {:.1f}] %", 100.0 * estimate.low, 100.0 * estimate.high);
+  return fmt::format("[{:.1f}, {:.1f}]", 100.0 * estimate.low, 100.0 * estimate.high);
 }
 
 std::string DecimalText(double value, int digits) {

@@ -23,7 +23,7 @@ namespace handcraft::experiments {
 [[nodiscard]] std::string DataUri(std::string_view media_type, std::span<const std::uint8_t> bytes);
 
 /// Numbers as people read them: 0.8125 → "81.3 %" and "0.813" with three digits, "–" for NaN; the
-/// interval alone "[72.0, 88.1] %", empty when there is none.
+/// interval alone "[72.0, 88.1]", in percent beside such a value, empty when there is none.
 [[nodiscard]] std::string PercentText(double share);
 [[nodiscard]] std::string PercentIntervalText(const Estimate& estimate);
 [[nodiscard]] std::string DecimalText(double value, int digits);

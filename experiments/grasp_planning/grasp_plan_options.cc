@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -24,6 +25,16 @@ namespace fs = std::filesystem;
 constexpr int kMaxNeighbours = features::kMaxGraspNeighbours;
 constexpr int kMaxAttempts = features::kMaxRankedGrasps;
 constexpr double kMaxDistanceM = 1e3;
+
+double SquaredLength(std::span<const double> parts) {
+  double squared = 0.0;
+  for (const double part : parts) squared += part * part;
+  return squared;
+}
+
+bool IsUnit(std::span<const double> quaternion) {
+  return std::fabs(SquaredLength(quaternion) - 1.0) <= 1e-3;
+}
 
 // The numbers of an array.
 std::vector<double> NumbersOf(const TomlTable& table, std::string_view key, std::size_t count) {
@@ -55,6 +66,20 @@ void ReadGraspPoint(const TomlTable& file, const fs::path& folder, GraspPlanOpti
     table.Fail(table.Node("pixel"), "'pixel' must be column and row, whole numbers from 0");
   }
   options.grasp_pixel = {static_cast<int>(pixel[0]), static_cast<int>(pixel[1])};
+}
+
+void ReadObjectClass(const TomlTable& file, const fs::path& folder, GraspPlanOptions& options) {
+  if (!file.Has("object_class")) return;
+  const TomlTable table = file.Table("object_class");
+  table.AllowOnly(std::array<std::string_view, 3>{"name", "model", "none_of_these"});
+  if (table.Has("name")) options.object_class = table.Text("name");
+  if (table.Has("model")) options.object_class_model = folder / table.Text("model");
+  if (!table.Has("none_of_these")) return;
+  const std::string answer = table.Text("none_of_these");
+  if (answer != "refuse" && answer != "nearest") {
+    table.Fail(table.Node("none_of_these"), "'none_of_these' must be \"refuse\" or \"nearest\"");
+  }
+  options.take_nearest_class = answer == "nearest";
 }
 
 void ReadLibrary(const TomlTable& file, const fs::path& folder, GraspPlanOptions& options) {
@@ -104,6 +129,10 @@ void ReadHand(const TomlTable& file, GraspPlanOptions& options) {
   }
   if (table.Has("grasp_centre_xyzw")) {
     const std::vector<double> q = NumbersOf(table, "grasp_centre_xyzw", 4);
+    if (!IsUnit(q)) {
+      table.Fail(table.Node("grasp_centre_xyzw"),
+                 "'grasp_centre_xyzw' must be a quaternion of length 1: x, y, z, w");
+    }
     std::copy(q.begin(), q.end(), options.grasp_centre_xyzw.begin());
   }
 }
@@ -148,11 +177,9 @@ void GraspPlanOptions::Validate() const {
                 "GraspPlanOptions.max_attempt_distance_m",
                 max_attempt_distance_m,
                 "from 0 to 1000");
-  double squared = 0.0;
-  for (const double part : grasp_centre_xyzw) squared += part * part;
-  RequireOption(std::fabs(squared - 1.0) <= 1e-3,
+  RequireOption(IsUnit(grasp_centre_xyzw),
                 "the squared length of GraspPlanOptions.grasp_centre_xyzw",
-                squared,
+                SquaredLength(grasp_centre_xyzw),
                 "1");
 }
 
@@ -164,12 +191,7 @@ GraspPlanOptions ReadGraspPlanFile(const fs::path& path) {
   const fs::path folder = path.parent_path();
   GraspPlanOptions options;
   ReadGraspPoint(file, folder, options);
-  if (file.Has("object_class")) {
-    const TomlTable table = file.Table("object_class");
-    table.AllowOnly(std::array<std::string_view, 2>{"name", "model"});
-    if (table.Has("name")) options.object_class = table.Text("name");
-    if (table.Has("model")) options.object_class_model = folder / table.Text("model");
-  }
+  ReadObjectClass(file, folder, options);
   ReadLibrary(file, folder, options);
   ReadRobot(file, folder, options);
   ReadHand(file, options);

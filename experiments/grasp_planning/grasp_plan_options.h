@@ -25,6 +25,9 @@ struct GraspPlanOptions {
   /// Layer 1: a model of kind object_class, or the class as told.
   std::filesystem::path object_class_model = {};
   std::string object_class = {};
+  /// What becomes of an object that the model takes for none of its classes: no plan, or one for
+  /// the nearest class.
+  bool take_nearest_class = false;
   std::filesystem::path grasp_library = {};  ///< layers 2 and 3
   int num_neighbours = 1;                    ///< demonstrations averaged; 1 to 32
   GraspPosition position = GraspPosition::kGraspPoint;
@@ -53,6 +56,7 @@ struct GraspPlanOptions {
 ///     model = "grasp_points.safetensors"     # or: pixel = [320, 240]
 ///     [object_class]
 ///     model = "object_class.safetensors"     # or: name = "mug"
+///     none_of_these = "refuse"               # optional; or "nearest": plan for the nearest class
 ///     [grasp_library]
 ///     model = "grasp_library.safetensors"
 ///     neighbours = 1                         # optional

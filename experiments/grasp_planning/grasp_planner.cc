@@ -48,7 +48,8 @@ LoadedModel LoadKind(const std::filesystem::path& path, hc_kind kind) {
   if (found == kind) return model;
   throw Error(
       {.path = path.string(),
-       .reason = fmt::format("a model of kind {}; {} is due", KindName(found), KindName(kind))});
+       .reason = fmt::format("a model of kind {}; {} is due", KindName(found), KindName(kind)),
+       .remedy = "look at it with 'handcraft check-model', and at the plan file's tables"});
 }
 
 void RequireSizes(const GraspScene& scene) {
@@ -68,7 +69,8 @@ void RequireSizes(const GraspScene& scene) {
                              scene.object_mask.width(),
                              scene.object_mask.height(),
                              scene.cloud.width,
-                             scene.cloud.height)});
+                             scene.cloud.height),
+       .remedy = "give files of one and the same view"});
 }
 
 features::ObjectCloud CloudOf(const GraspScene& scene) {
@@ -96,7 +98,8 @@ void TakePixel(const GraspScene& scene, const std::array<int, 2>& pixel, GraspPl
                                        u,
                                        v,
                                        scene.cloud.width,
-                                       scene.cloud.height)});
+                                       scene.cloud.height),
+                 .remedy = "give --grasp-point column,row, counted from 0"});
   }
   int least = kReachPx * kReachPx + 1;
   for (int y = std::max(0, v - kReachPx); y <= std::min(scene.cloud.height - 1, v + kReachPx);
@@ -121,6 +124,32 @@ void TakePixel(const GraspScene& scene, const std::array<int, 2>& pixel, GraspPl
 
 robot::Pose PoseOf(const features::Vector3& position_m, const features::Quaternion& rotation) {
   return {robot::RotationFromQuaternion(rotation), position_m};
+}
+
+// One rule for all layers: what was seen is too little, whatever the file's form.
+[[noreturn]] void RefuseFewPoints() {
+  throw Error({.kind = Error::Kind::kNoResult,
+               .reason = fmt::format("fewer than {} points of the object were measured",
+                                     features::kMinObjectPoints),
+               .remedy = "look at it from elsewhere, or give another --mask"});
+}
+
+// Said before a click is searched for, which could not help.
+void RequireMeasured(const GraspScene& scene) {
+  bool has_object = false;
+  std::size_t num_measured = 0;
+  for (int v = 0; v < scene.cloud.height; ++v) {
+    for (int u = 0; u < scene.cloud.width; ++u) {
+      if (scene.object_mask.At(u, v) == 0) continue;
+      has_object = true;
+      num_measured += datasets::IsMeasured(scene.cloud.At(u, v)) ? 1 : 0;
+      if (num_measured >= features::kMinObjectPoints) return;
+    }
+  }
+  if (has_object) RefuseFewPoints();
+  throw Error({.kind = Error::Kind::kNoResult,
+               .reason = "no pixel of the mask is the object's",
+               .remedy = "give a --mask that is not 0 where the object is, or none"});
 }
 
 }  // namespace
@@ -172,21 +201,27 @@ void GraspPlanner::LoadClasses() {
   classifier_.emplace(classes_.get());
 }
 
-std::string GraspPlanner::ClassOf(const GraspScene& scene) {
-  if (!classifier_) return options_.object_class;
+void GraspPlanner::TellClass(const GraspScene& scene, GraspPlan& plan) {
+  plan.object_class = options_.object_class;
+  if (!classifier_) return;
   datasets::MaskedCloud object = datasets::CropToMask(scene.cloud, scene.object_mask);
   const CloudClass found = classifier_->Classify(
       datasets::TakeObjectCloud(std::move(object.cloud), std::move(object.mask), cloud_options_));
-  if (found.has_points && !found.is_rejected) {
-    return hc_model_class_name(classes_.get(), found.number);
-  }
-  throw Error({.kind = Error::Kind::kNoResult,
-               .reason = found.has_points
-                             ? "the object is none of the classes that the model knows"
-                             : fmt::format("fewer than {} points of the object were measured",
-                                           features::kMinObjectPoints),
-               .remedy = found.has_points ? "tell its class with --class, or train it"
-                                          : "look at it from elsewhere"});
+  if (!found.has_points) RefuseFewPoints();
+  plan.object_class = hc_model_class_name(classes_.get(), found.number);
+  plan.class_margin = found.margin;
+  plan.is_class_rejected = found.is_rejected;
+  if (!found.is_rejected || options_.take_nearest_class) return;
+  throw Error(
+      {.kind = Error::Kind::kNoResult,
+       .path = options_.object_class_model.string(),
+       .reason = fmt::format("the object is none of the model's classes: the nearest is '{}', with "
+                             "a margin of {:.4g}, and the model asks for {:.4g}",
+                             plan.object_class,
+                             found.margin,
+                             RejectionThreshold(classes_.get())),
+       .remedy = "tell its class with --class, plan for the nearest with --nearest-class "
+                 "(none_of_these = \"nearest\" in [object_class] of the plan file), or train it"});
 }
 
 void GraspPlanner::RequireSameArm(const std::string& robot_name) const {
@@ -204,7 +239,8 @@ void GraspPlanner::RequireSameArm(const std::string& robot_name) const {
            other_robot
                ? fmt::format("robot {}; the grasps were shown by robot {}", robot_name, shown_by)
                : fmt::format("joints {}; the grasps were shown by joints {}", joints, shown_joints),
-       .remedy = "give the robot file of that arm, or any_arm = true to plan for another"});
+       .remedy = "give the robot file of that arm, or plan for another with any_arm = true in "
+                 "[robot] of the plan file (--config)"});
 }
 
 std::size_t GraspPlanner::ClassNumber(const std::string& name) const {
@@ -304,6 +340,7 @@ void GraspPlanner::ComeNearest(GraspPlan& plan) const {
 
 GraspPlan GraspPlanner::Plan(const GraspScene& scene) {
   RequireSizes(scene);
+  RequireMeasured(scene);
   const features::ObjectCloud cloud = CloudOf(scene);
   scratch_.resize(features::ObjectPlaneScratch(cloud.width, cloud.height));
   const GraspLibraryModel& library = LibraryOf(library_);
@@ -312,14 +349,15 @@ GraspPlan GraspPlanner::Plan(const GraspScene& scene) {
   StageClock clock(plan.stages);
   FindPoint(scene, plan);
   clock.Done("grasp point");
-  plan.object_class = ClassOf(scene);
+  TellClass(scene, plan);
   const features::ShownClass shown = library.library.Class(ClassNumber(plan.object_class));
   clock.Done("object class");
   features::ViewDescription view;
   const features::CloudFault fault = features::DescribeView(cloud, scratch_, view);
   if (fault != features::CloudFault::kNone) {
-    throw Error({.reason = "the object's cloud " + std::string(features::NameOf(fault)),
-                 .remedy = "look at it from elsewhere, or give another mask"});
+    throw Error({.kind = Error::Kind::kNoResult,
+                 .reason = "the object's cloud " + std::string(features::NameOf(fault)),
+                 .remedy = "look at it from elsewhere, or give another --mask"});
   }
   const std::size_t nearest = features::NearestView(view, shown.views, library.library.rule);
   clock.Done("object rotation");

@@ -46,6 +46,9 @@ struct GraspPlan {
   std::optional<double> probability = {};  ///< of the grasp point; none: it was told
   features::Vector3 point_m = {};          ///< p_g
   std::string object_class = {};
+  std::optional<double> class_margin = {};  ///< of the classifier; none: the class was told
+  /// The classifier takes it for none of its classes, and the nearest one was to be planned for.
+  bool is_class_rejected = false;
   features::FoundGrasp grasp = {};
   /// Nearer demonstrations than the grasp's, whose poses the arm does not reach.
   std::size_t rank = 0;
@@ -74,19 +77,24 @@ class GraspPlanner {
   explicit GraspPlanner(const GraspPlanOptions& options);
 
   /// Plans for what is seen. Rejected and unreachable grasps are results. Throws
-  /// Error(kBadInput) for pictures, clouds and masks of different sizes, a grasp point outside the
-  /// picture and a cloud that no plane fits; Error(kNoResult) when there is no measured point to
-  /// grasp at, and for an object that is none of the classes.
+  /// Error(kBadInput) for pictures, clouds and masks of different sizes and a grasp point outside
+  /// the picture; Error(kNoResult) when too little of the object was measured, for a cloud that no
+  /// one plane fits, when there is no measured point to grasp at, and for an object that is none of
+  /// the classes unless the nearest one will do.
   [[nodiscard]] GraspPlan Plan(const GraspScene& scene);
 
   [[nodiscard]] const robot::SerialChain& chain() const noexcept { return solver_->chain(); }
+  /// The margin below which the object is none of the classes; −∞: it is always one.
+  [[nodiscard]] double LeastClassMargin() const noexcept {
+    return RejectionThreshold(classes_.get());
+  }
   [[nodiscard]] std::string_view Method() const noexcept { return solver_->Method(); }
 
  private:
   void LoadClasses();
   void RequireSameArm(const std::string& robot_name) const;
   [[nodiscard]] std::size_t ClassNumber(const std::string& name) const;
-  [[nodiscard]] std::string ClassOf(const GraspScene& scene);
+  void TellClass(const GraspScene& scene, GraspPlan& plan);
   void FindPoint(const GraspScene& scene, GraspPlan& plan) const;
   void TakeBestPixel(const GraspScene& scene, GraspPlan& plan) const;
   void RankGrasps(const features::ShownClass& shown,

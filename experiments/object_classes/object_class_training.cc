@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <utility>
 
 #include "datasets/object_clouds.h"
@@ -13,6 +14,7 @@
 #include "lib/core/option_rules.h"
 #include "trainers/svm/cross_validation.h"
 #include "trainers/svm/gram_matrix.h"
+#include "trainers/svm/margins.h"
 
 namespace handcraft::experiments {
 namespace {
@@ -104,21 +106,26 @@ std::vector<std::uint32_t> FoldsOf(const datasets::ViewSet& set,
 }
 
 // Views, not copies, that were told right.
-std::size_t NumCorrect(const Described& described, const svm::CrossValidation& validation) {
+std::size_t NumCorrect(std::size_t num_views,
+                       const std::vector<std::uint32_t>& classes,
+                       const svm::CrossValidation& validation) {
   std::size_t num_correct = 0;
-  for (std::size_t i = 0; i < described.num_views; ++i) {
-    num_correct += validation.predicted[i] == described.classes.values[i] ? 1 : 0;
+  for (std::size_t i = 0; i < num_views; ++i) {
+    num_correct += validation.predicted[i] == classes[i] ? 1 : 0;
   }
   return num_correct;
 }
 
-void TakeValidation(const Described& described,
+// Of the views alone, not of their copies.
+void TakeValidation(std::size_t num_views,
                     svm::CrossValidation validation,
                     ObjectClassTraining& training) {
-  training.num_validated = described.num_views;
-  training.num_correct = NumCorrect(described, validation);
+  training.num_validated = num_views;
+  training.num_correct = NumCorrect(num_views, training.classes, validation);
   training.predicted = std::move(validation.predicted);
-  training.predicted.resize(described.num_views);
+  training.predicted.resize(num_views);
+  training.margins = std::move(validation.margins);
+  training.margins.resize(num_views);
 }
 
 svm::Grid SearchedGrid(double natural_gamma) {
@@ -159,6 +166,10 @@ datasets::ViewSet ViewsOf(const datasets::ViewSet& set,
   throw Error(
       {.path = set.root.string(),
        .reason = "no view is of the class '" + std::string(new_class) + "'; there are: " + list});
+}
+
+bool HasAll(const std::vector<std::uint32_t>& classes, std::size_t num_classes) {
+  return std::set<std::uint32_t>(classes.begin(), classes.end()).size() == num_classes;
 }
 
 // Rows of the classes that have no views: the model's support vectors, as raw numbers.
@@ -219,18 +230,17 @@ ObjectClassTraining TrainObjectClasses(const datasets::ViewSet& set,
                                                   svm.SimilarityFor(described.samples.num_features),
                                                   described.samples,
                                                   svm.num_threads);
-  TakeValidation(
-      described, svm::CrossValidate(gram, described.samples, FoldsOf(set, options), svm), training);
+  TakeValidation(described.num_views,
+                 svm::CrossValidate(gram, described.samples, FoldsOf(set, options), svm),
+                 training);
   return training;
 }
 
 ObjectClassTraining SearchObjectClasses(const datasets::ViewSet& set,
                                         const ObjectClassOptions& options) {
   options.Validate();
-  RequireOption(options.num_folds >= 2,
-                "ObjectClassOptions.num_folds",
-                options.num_folds,
-                "at least 2 for a search");
+  RequireOption(
+      options.num_folds >= 2, "the number of folds", options.num_folds, "at least 2 for a search");
   const Described described = Describe(set, options);
   const svm::GridSearch search = svm::SearchGrid(described.inner_products,
                                                  described.samples,
@@ -239,14 +249,15 @@ ObjectClassTraining SearchObjectClasses(const datasets::ViewSet& set,
                                                  options.svm);
   const svm::GridPoint& best = search.points[search.best];
   ObjectClassTraining training = Finish(described, options, best.options);
-  TakeValidation(described, best.validation, training);
+  TakeValidation(described.num_views, best.validation, training);
   for (const svm::GridPoint& point : search.points) {
-    training.tried.push_back({.kernel = std::string(features::NameOf(point.options.kernel)),
-                              .degree = point.options.degree,
-                              .gamma = point.options.gamma,
-                              .coef0 = point.options.coef0,
-                              .penalty = point.options.penalty,
-                              .num_correct = NumCorrect(described, point.validation)});
+    training.tried.push_back(
+        {.kernel = std::string(features::NameOf(point.options.kernel)),
+         .degree = point.options.degree,
+         .gamma = point.options.gamma,
+         .coef0 = point.options.coef0,
+         .penalty = point.options.penalty,
+         .num_correct = NumCorrect(described.num_views, training.classes, point.validation)});
   }
   return training;
 }
@@ -268,6 +279,13 @@ ObjectClassTraining AddObjectClass(const model_io::ObjectClassModel& model,
     training.classes.push_back(static_cast<std::uint32_t>(found - training.model.classes.begin()));
   }
   Repeat(options.moved.num_copies, training.classes);
+  if (options.num_folds != 0 && HasAll(training.classes, training.model.classes.size())) {
+    TakeValidation(
+        views.items.size(),
+        svm::CrossValidateLike(
+            model.svm, features.Matrix(), training.classes, FoldsOf(views, options), options.svm),
+        training);
+  }
   AddSupportVectors(model.svm, features, training.classes);
   svm::Result result = svm::AddClass(model.svm, features.Matrix(), training.classes, options.svm);
   training.model.svm = std::move(result.model);

@@ -68,6 +68,7 @@ struct ObjectClassTraining {
   std::size_t num_correct = 0;    ///< of those
   /// What machines that were trained without a view's fold say of it; none without folds.
   std::vector<std::uint32_t> predicted = {};
+  std::vector<double> margins = {};          ///< of those predictions (features::ClassVote)
   std::vector<TriedCombination> tried = {};  ///< of a search
 };
 
@@ -84,8 +85,10 @@ struct ObjectClassTraining {
 
 /// Adds one class to a model by training its pairs alone (svm::AddClass). The set holds views of
 /// the new class; of an old class its views are used where it has some, else the model's support
-/// vectors. Of `options` what is of the solver alone is read. Throws Error(kUsage) when the model
-/// knows the class, Error(kBadInput) when the set has no view of it.
+/// vectors. With folds and views of every class all machines are cross-validated as the model's
+/// were trained, its own arrays untouched. A rejection threshold is dropped. Of `options` the
+/// solver's, the copies and the folds are read. Throws Error(kUsage) when the model knows the
+/// class, Error(kBadInput) when the set has no view of it.
 [[nodiscard]] ObjectClassTraining AddObjectClass(const model_io::ObjectClassModel& model,
                                                  const datasets::ViewSet& set,
                                                  std::string_view new_class,

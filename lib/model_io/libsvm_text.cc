@@ -329,4 +329,32 @@ NamedSvm FromLibsvmText(std::string_view text, const std::string& path) {
   return svm;
 }
 
+void GiveNames(const SvmNames& names, NamedSvm& svm) {
+  SvmModel& model = svm.model;
+  const std::size_t old_p = model.NumFeatures();
+  const std::size_t p = names.columns.empty() ? old_p : names.columns.size();
+  if (p < old_p) {
+    throw Error({.kind = Error::Kind::kUsage,
+                 .reason = NumberToText(p) + " columns are named; the support vectors have " +
+                           NumberToText(old_p),
+                 .remedy = "name all columns of the table but the label, in their order"});
+  }
+  if (!names.classes.empty() && names.classes.size() != model.num_classes) {
+    throw Error({.kind = Error::Kind::kUsage,
+                 .reason = NumberToText(names.classes.size()) +
+                           " classes are named; the model has " + NumberToText(model.num_classes),
+                 .remedy = "name them in the order of the line 'label' of libsvm's text"});
+  }
+  std::vector<double> vectors(p * model.NumSupportVectors(), 0.0);
+  for (std::size_t v = 0; v < model.NumSupportVectors(); ++v) {
+    std::copy_n(model.support_vectors.data() + v * old_p, old_p, vectors.data() + v * p);
+  }
+  model.support_vectors = std::move(vectors);
+  model.feature_mean.resize(p, 0.0);
+  model.feature_scale.resize(p, 1.0);
+  if (!names.columns.empty()) svm.names.columns = names.columns;
+  if (!names.classes.empty()) svm.names.classes = names.classes;
+  if (!names.label_column.empty()) svm.names.label_column = names.label_column;
+}
+
 }  // namespace handcraft::model_io

@@ -28,4 +28,9 @@ struct NamedSvm {
 /// number.
 [[nodiscard]] NamedSvm FromLibsvmText(std::string_view text, const std::string& path);
 
+/// Gives a machine read from libsvm's text the names that the text cannot hold; what is empty stays
+/// as it was. There may be more columns than the machine has features: libsvm leaves out zeros, and
+/// the last ones with them. Throws Error(kUsage) for fewer, and for another number of classes.
+void GiveNames(const SvmNames& names, NamedSvm& svm);
+
 }  // namespace handcraft::model_io

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -37,6 +38,11 @@ class SvmModel {
   [[nodiscard]] std::size_t NumFeatures() const noexcept { return feature_mean_.size(); }
   [[nodiscard]] std::size_t NumMachines() const noexcept { return intercepts_.size(); }
   [[nodiscard]] const std::vector<std::string>& ClassNames() const noexcept { return class_names_; }
+
+  /// The margin below which a prediction is rejected; −∞ when none is.
+  [[nodiscard]] double RejectionThreshold() const noexcept {
+    return rejection_threshold_.value_or(-std::numeric_limits<double>::infinity());
+  }
 
   /// Bytes of scratch memory, aligned to 64, that Predict works in.
   [[nodiscard]] std::size_t WorkspaceBytes() const noexcept;

@@ -61,7 +61,7 @@ TEST(ViewFolds, ViewsWithoutAnAngleAreDealtOut) {
 TEST(ViewFolds, OneFoldIsNone) {
   EXPECT_THROWS_MESSAGE(static_cast<void>(GroupedFolds({}, 1)),
                         Error,
-                        HasSubstr("num_folds is 1; it must be at least 2"));
+                        HasSubstr("the number of folds is 1; it must be at least 2"));
 }
 
 TEST(ViewFolds, ASplitWithoutViewsIsNamed) {

@@ -47,14 +47,18 @@ def golden_changed(old, new):
     return model_changed("v1_logistic", old, new)
 
 
-def svm_with(tensor, entry, value):
-    """The golden support vector machine with one number changed."""
-    data = bytearray((MODELS / "v1_svm.safetensors").read_bytes())
+def changed_number(name, tensor, entry, value):
+    """A golden model with one number changed."""
+    data = bytearray((MODELS / f"{name}.safetensors").read_bytes())
     length = struct.unpack_from("<Q", data)[0]
     layout = json.loads(data[8:8 + length])[tensor]
     kind = {"F64": "<d", "F32": "<f", "I32": "<i"}[layout["dtype"]]
     struct.pack_into(kind, data, 8 + length + layout["data_offsets"][0] + entry * struct.calcsize(kind), value)
     return sealed(bytes(data[:-8]))
+
+
+def svm_with(tensor, entry, value):
+    return changed_number("v1_svm", tensor, entry, value)
 
 
 def many_tensors(count):
@@ -143,6 +147,19 @@ def content_files():
         b'"selftest.mask":{"dtype":"U8","shape":[10,8]')
 
 
+def histogram_files():
+    """Descriptors of § 10 whose machine has another number of features, or another grid."""
+    for name in ("vfh", "esf"):
+        model = f"v1_object_class_{name}"
+        other = {"vfh": 4, "esf": 3}[name]
+        yield f"object_class_{name}_as_the_other", changed_number(model, "cloud_descriptor", 0, other)
+        yield f"object_class_{name}_grid_of_none", changed_number(model, "cloud_grid_size", 0, 0)
+        yield f"object_class_{name}_grid_huge", changed_number(model, "cloud_grid_size", 0, 129)
+        yield f"object_class_{name}_grid_of_one", changed_number(model, "cloud_grid_size", 0, 1)
+        yield f"object_class_{name}_threshold_nan", changed_number(
+            model, "rejection_threshold", 0, float("nan"))
+
+
 def svm_files():
     """Files that break § 9."""
     yield "svm_kernel_unknown", svm_with("kernel", 0, 3)
@@ -183,7 +200,7 @@ def main():
         sys.exit(__doc__)
     folder = pathlib.Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
-    files = [*container_files(), *content_files(), *svm_files(), *library_files()]
+    files = [*container_files(), *content_files(), *histogram_files(), *svm_files(), *library_files()]
     assert len({name for name, _ in files}) == len(files)
     for name, data in files:
         (folder / f"{name}.safetensors").write_bytes(data)

@@ -70,7 +70,15 @@ TEST_F(CloudCommands, EvaluateNamesUnknownClassesAndSplits) {
   EXPECT_THAT(Evaluate(Path("test") + " --counts-as orange=ball").out, HasSubstr("3 of 3 views"));
   const Outcome wrong = Evaluate(Path("test") + " --counts-as orange");
   EXPECT_EQ(wrong.code, 2);
-  EXPECT_THAT(wrong.err, HasSubstr("CLASS=CLASS_OF_THE_MODEL is due"));
+  EXPECT_THAT(wrong.err,
+              AllOf(HasSubstr("CLASS=CLASS_OF_THE_MODEL is due"), HasSubstr("=none of these")));
+  EXPECT_THAT(unknown.err, HasSubstr("'orange=none of these'"));
+  // A model without a threshold takes all for one of its classes, and that is said.
+  const Outcome none = testing::RunArgs(
+      {"evaluate", Path("m.safetensors"), Path("test"), "--counts-as=orange=none of these"});
+  ASSERT_EQ(none.code, 0) << none.err;
+  EXPECT_THAT(none.out,
+              AllOf(HasSubstr("0 of 3 views right"), HasSubstr("The model has no threshold")));
   EXPECT_THAT(Evaluate(Path("test") + " --split test").err, HasSubstr("no view is in the split"));
   const Outcome threshold = Evaluate(Path("test") + " --top 3");
   EXPECT_EQ(threshold.code, 2);
@@ -137,8 +145,10 @@ TEST_F(CloudCommands, OptionsForCloudsAreRefusedByOtherModels) {
 }
 
 TEST(CloudTable, ShowsRejectedOnes) {
-  const Json predictions = {{{"cloud", "a.pcd"}, {"class", nullptr}, {"margin", 0.5}}};
-  EXPECT_THAT(CloudTable(predictions), AllOf(HasSubstr("none of them"), HasSubstr("0.5000")));
+  const Json predictions = {
+      {{"cloud", "a.pcd"}, {"class", nullptr}, {"nearest_class", "mug"}, {"margin", 0.5}}};
+  EXPECT_THAT(CloudTable(predictions),
+              AllOf(HasSubstr("none of these; the nearest is mug"), HasSubstr("0.5000")));
 }
 
 }  // namespace

@@ -134,6 +134,9 @@ TEST(RunHandcraft, RefusesWrongOptionsWithAHint) {
                       HasSubstr("Try 'handcraft " + command + " --help'.")));
   }
   EXPECT_THAT(RunLine("train logistic t --label l --ridge x").err, HasSubstr("--ridge"));
+  // In the order in which they were given.
+  EXPECT_THAT(RunLine("inspect m --first 1 --second").err,
+              HasSubstr("The following arguments were not expected: --first 1 --second"));
 }
 
 TEST(RunHandcraft, HintsAtHelpForAValueOutOfRange) {

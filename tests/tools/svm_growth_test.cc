@@ -29,7 +29,7 @@ TEST(SvmGrowthOptions, GoTogetherAndNotWithWhatTheModelAnswers) {
     svm::Options svm;
     SvmGrowth growth;
     AddSvmOptions(app, svm);
-    AddSvmGrowthOptions(app, growth);
+    AddSvmGrowthOptions(app, "Model", growth);
     app.parse(line);
     return growth;
   };

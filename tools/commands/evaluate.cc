@@ -12,6 +12,7 @@
 
 #include "datasets/formats/labelled_image_set.h"
 #include "experiments/evaluation/class_evaluation.h"
+#include "experiments/evaluation/cloud_evaluation.h"
 #include "experiments/evaluation/grasp_point_evaluation.h"
 #include "experiments/evaluation/loaded_model.h"
 #include "experiments/evaluation/table_evaluation.h"
@@ -233,7 +234,7 @@ void PrintClasses(const Console& console,
                              OnOneLine(options.data));
   std::vector<std::string> header = {""};
   for (const std::string& name : evaluation.classes) header.push_back("predicted " + name);
-  if (evaluation.num_rejected > 0) header.emplace_back("none of them");
+  if (evaluation.num_rejected > 0) header.emplace_back(experiments::kNoneOfThese);
   TextTable confusion(header);
   for (std::size_t c = 0; c < evaluation.classes.size(); ++c) {
     std::vector<std::string> row = {evaluation.classes[c]};
@@ -343,8 +344,9 @@ void AddEvaluate(CLI::App& parent, const Console& console) {
       "evaluate", "Measure a model on labelled data: confusion matrix, accuracy, intervals");
   command->add_option("MODEL", options->model, "Model file")->required();
   command
-      ->add_option(
-          "DATA", options->data, "Labelled image set or view set (folder), or table (.csv, .npy)")
+      ->add_option("DATA",
+                   options->data,
+                   "Labelled image set or view set (folder), or table (.csv, .npy, .libsvm, .svm)")
       ->required();
   command->add_option("--split", options->split, "Split of an image set or view set; '' for all")
       ->capture_default_str()
@@ -357,7 +359,7 @@ void AddEvaluate(CLI::App& parent, const Console& console) {
       ->add_option("--counts-as",
                    options->counts_as,
                    "A class of the views that the model does not know, and the one that is right "
-                   "for it; may be given again")
+                   "for it, or 'none of these'; may be given again")
       ->type_name("CLASS=CLASS")
       ->group(kCloudGroup);
   AddMeasureOptions(*command, options->evaluation);

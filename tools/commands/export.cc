@@ -6,8 +6,14 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "experiments/evaluation/loaded_model.h"
+#include "lib/core/error.h"
 #include "lib/core/file.h"
 #include "lib/core/utf8.h"
 #include "lib/model_io/libsvm_text.h"
@@ -24,15 +30,63 @@ struct ExportOptions {
   std::string out;
 };
 
+// Of what a robot would load, a machine of rows alone.
+void RequireTableMachine(const std::string& path) {
+  const experiments::LoadedModel model = experiments::LoadModel(path);
+  const hc_kind kind = hc_model_kind(model.get());
+  if (kind == HC_KIND_SVM) return;
+  const bool is_of_clouds = kind == HC_KIND_OBJECT_CLASS;
+  throw Error({.path = path,
+               .reason = fmt::format("a model of kind {}; libsvm's text holds models of kind svm",
+                                     experiments::KindName(kind)),
+               .remedy = is_of_clouds ? "libsvm cannot describe a cloud: keep to 'handcraft "
+                                        "predict', or train a machine on a table of your own"
+                                      : "give a model made by 'handcraft train svm'"});
+}
+
+template <class Work>
+auto NamingFile(const std::string& path, Work&& work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    Error::Details details = error.details();
+    if (details.path.empty()) details.path = path;
+    throw Error(std::move(details));
+  }
+}
+
+// The text has numbers alone: 'import' takes the names again.
+void WarnOfWhatIsLost(const model_io::NamedSvm& svm, const Console& console) {
+  const model_io::SvmNames& names = svm.names;
+  const auto quoted = [](const std::vector<std::string>& list) {
+    return fmt::format("'{}'", fmt::join(list, ","));
+  };
+  console.Warn(fmt::format(
+      "libsvm's text holds no names: columns are 1 to {}, classes are numbers or 0, 1, … in their "
+      "order; to read it with names again, give 'handcraft import' --columns {} --classes {} "
+      "--label '{}'",
+      names.columns.size(),
+      quoted(names.columns),
+      quoted(names.classes),
+      names.label_column));
+  if (!svm.model.rejection_threshold) return;
+  console.Warn(
+      fmt::format("libsvm's text holds no threshold: what has a margin below {:.4g} is "
+                  "taken for one of the classes there",
+                  *svm.model.rejection_threshold));
+}
+
 void RunExport(const ExportOptions& options, const Console& console) {
   RequireWritable(options.out);
   const std::array inputs = {std::filesystem::path(options.model)};
   RequireNotAnInput(options.out, inputs);
-  static_cast<void>(experiments::LoadModel(options.model));  // only what a robot would load
+  RequireTableMachine(options.model);
   const model_io::ModelFile file = model_io::Parse(ReadFile(options.model), options.model);
+  const model_io::NamedSvm svm{.model = model_io::ReadSvmModel(file),
+                               .names = model_io::ReadSvmNames(file)};
   WriteFileAtomically(options.out,
-                      model_io::ToLibsvmText({.model = model_io::ReadSvmModel(file),
-                                              .names = model_io::ReadSvmNames(file)}));
+                      NamingFile(options.model, [&svm] { return model_io::ToLibsvmText(svm); }));
+  WarnOfWhatIsLost(svm, console);
   console.out << "libsvm's text of " << OnOneLine(options.model) << " written to "
               << OnOneLine(options.out) << '\n';
 }

@@ -23,13 +23,15 @@ struct ImportOptions {
   std::string from;
   std::string out;
   std::string name = "svm";
+  model_io::SvmNames names = {};  // what the file does not hold
 };
 
 void RunImport(const ImportOptions& options, const Console& console) {
   RequireWritable(options.out);
   const std::array inputs = {std::filesystem::path(options.file)};
   RequireNotAnInput(options.out, inputs);
-  const model_io::NamedSvm svm = model_io::FromLibsvmText(ReadTextFile(options.file), options.file);
+  model_io::NamedSvm svm = model_io::FromLibsvmText(ReadTextFile(options.file), options.file);
+  model_io::GiveNames(options.names, svm);
   WriteFileAtomically(
       options.out,
       model_io::Serialise(model_io::MakeSvmModel(svm.model,
@@ -53,6 +55,20 @@ void AddImport(CLI::App& parent, const Console& console) {
       ->type_name("FORMAT")
       ->required();
   command->add_option("--out", options->out, "Model file to write")->type_name("FILE")->required();
+  command
+      ->add_option("--columns",
+                   options->names.columns,
+                   "Names of the table's columns but the label, in their order [1,2,…]")
+      ->delimiter(',')
+      ->type_name("NAME,…");
+  command
+      ->add_option("--classes",
+                   options->names.classes,
+                   "Names of the classes, in the order of the line 'label' [its numbers]")
+      ->delimiter(',')
+      ->type_name("NAME,…");
+  command->add_option("--label", options->names.label_column, "Name of the label column [label]")
+      ->type_name("COLUMN");
   command->add_option("--name", options->name, "Name of the model, stored in it")
       ->capture_default_str();
   SetExample(*command,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <numbers>
@@ -45,6 +46,7 @@ struct PlanGraspOptions {
   std::string mask;
   std::string object_class;
   std::string classifier;
+  bool nearest_class = false;
   std::string library;
   std::string grasp_points;
   std::vector<double> grasp_pixel;
@@ -64,6 +66,7 @@ GraspPlanOptions Merge(const PlanGraspOptions& given) {
     options.object_class = given.object_class;
     options.object_class_model = given.classifier;
   }
+  if (given.nearest_class) options.take_nearest_class = true;
   if (!given.library.empty()) options.grasp_library = given.library;
   if (!given.robot.empty()) options.robot = given.robot;
   if (given.num_neighbours > 0) options.num_neighbours = given.num_neighbours;
@@ -79,7 +82,8 @@ GraspPlanOptions Merge(const PlanGraspOptions& given) {
   if (given.grasp_pixel.size() != 2) {
     throw Error({.kind = Error::Kind::kUsage,
                  .reason = fmt::format("--grasp-point: {} numbers given; column and row are due",
-                                       given.grasp_pixel.size())});
+                                       given.grasp_pixel.size()),
+                 .remedy = "give --grasp-point 320,240"});
   }
   options.grasp_pixel = {static_cast<int>(given.grasp_pixel[0]),
                          static_cast<int>(given.grasp_pixel[1])};
@@ -126,6 +130,11 @@ Json PlanJson(const GraspPlan& plan, const GraspPlanner& planner) {
       {"rotation_error_rad", found.best.error.rotation_rad},
       {"stages", StagesJson(plan)}};
   if (plan.probability) json["grasp_point"]["probability"] = *plan.probability;
+  if (plan.class_margin) json["class_margin"] = *plan.class_margin;
+  if (std::isfinite(planner.LeastClassMargin())) {
+    json["class_rejection_threshold"] = planner.LeastClassMargin();
+  }
+  json["class_rejected"] = plan.is_class_rejected;
   return json;
 }
 
@@ -148,9 +157,11 @@ std::string PlanText(const GraspPlan& plan, const GraspPlanner& planner) {
         {planner.chain().joints[i].name, fmt::format("{:.4f}", plan.kinematics.best.joints[i])});
   }
   return fmt::format(
-             "{} turned by {:.0f} degrees, to be grasped at pixel {},{}\n"
+             "{}{} turned by {:.0f} degrees, to be grasped at pixel {},{}\n"
              "{} demonstration {}, {:.1f} mm away, shown {:.0f} degrees further\n\n",
              plan.object_class,
+             plan.is_class_rejected ? ", the nearest of the classes, though it is none of these,"
+                                    : "",
              plan.grasp.object_angle_rad / kDegree,
              plan.u_px,
              plan.v_px,
@@ -224,6 +235,9 @@ void AddPlanGrasp(CLI::App& parent, const Console& console) {
   command->add_option("--config", options->config, "Plan file (TOML) that names the components");
   command->add_option("--classifier", options->classifier, "Model that tells the object's class");
   command->add_option("--class", options->object_class, "Class of the object, as told");
+  command->add_flag("--nearest-class",
+                    options->nearest_class,
+                    "Plan for the nearest class when the object is none of the model's");
   command->add_option("--library", options->library, "Grasp library");
   AddNumberList(*command, "--grasp-point", options->grasp_pixel, "Where to grasp: column,row [px]");
   command->add_option("--grasp-points", options->grasp_points, "Model that finds where to grasp");
@@ -242,7 +256,9 @@ void AddPlanGrasp(CLI::App& parent, const Console& console) {
       ->add_option("--attempt-distance-m",
                    options->max_attempt_distance_m,
                    "Try none after the first that is farther from the grasp point; 0: any [0]")
-      ->transform(AnyNumber<double>())
+      ->transform(CheckNumber<double>([](double distance_m) {
+        return distance_m >= 0.0 && distance_m <= 1000.0 ? std::string() : "from 0 to 1000";
+      }))
       ->type_name("NUMBER");
   command->add_option("--out", options->out, "Folder for plan.json and overlay.png");
   AddJsonFlag(*command, options->json);

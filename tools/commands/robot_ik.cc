@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <numbers>
 #include <ostream>
@@ -89,10 +90,21 @@ std::string ToText(const robot::InverseKinematics& solver,
                               result.best.error.rotation_rad);
 }
 
+// Of any length but 0.
+std::array<double, 4> ReadQuaternion(const std::vector<double>& values) {
+  const std::array<double, 4> xyzw = Exactly<4>(values, "--quaternion");
+  const double length = std::hypot(std::hypot(xyzw[0], xyzw[1]), std::hypot(xyzw[2], xyzw[3]));
+  if (length >= 1e-6 && length <= 1e6) return xyzw;
+  throw Error({.kind = Error::Kind::kUsage,
+               .reason = fmt::format("--quaternion: a length of {:.4g} given; a rotation has one "
+                                     "of 1",
+                                     length),
+               .remedy = "0,0,0,1 turns nothing"});
+}
+
 void RunRobotIk(const RobotIkOptions& options, const Console& console) {
-  const robot::Pose pose{
-      robot::RotationFromQuaternion(Exactly<4>(options.quaternion_xyzw, "--quaternion")),
-      Exactly<3>(options.position_m, "--position")};
+  const robot::Pose pose{robot::RotationFromQuaternion(ReadQuaternion(options.quaternion_xyzw)),
+                         Exactly<3>(options.position_m, "--position")};
   const robot::RobotArm arm = robot::ReadRobotFile(options.file);
   robot::InverseKinematicsOptions solver_options = options.solver;
   solver_options.free_joint_step_rad = options.step_deg * std::numbers::pi / 180.0;

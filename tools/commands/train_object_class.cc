@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -12,7 +15,9 @@
 
 #include "datasets/object_clouds.h"
 #include "datasets/view_folds.h"
+#include "experiments/evaluation/loaded_model.h"
 #include "experiments/metrics/binary_metrics.h"
+#include "experiments/object_classes/novel_views.h"
 #include "experiments/object_classes/object_class_training.h"
 #include "lib/core/counted.h"
 #include "lib/core/error.h"
@@ -24,7 +29,9 @@
 #include "tools/common_options.h"
 #include "tools/object_class_options.h"
 #include "tools/progress_bar.h"
+#include "tools/svm_growth.h"
 #include "tools/svm_options.h"
+#include "tools/svm_rejection.h"
 #include "tools/text_table.h"
 
 namespace handcraft::tools {
@@ -39,14 +46,24 @@ struct TrainObjectClassOptions {
   std::string split = "train";
   std::string out;
   std::string name = "object_class";
-  std::string add_class;
-  std::string to;
+  SvmGrowth growth;
+  NovelOptions novel;
+  std::string novel_split;
   bool search = false;
+  bool is_folds_given = false;
   bool json = false;
   experiments::ObjectClassOptions training;
 
   // Where the model goes: an old one is replaced unless it shall stay.
-  [[nodiscard]] const std::string& Target() const { return out.empty() ? to : out; }
+  [[nodiscard]] const std::string& Target() const { return out.empty() ? growth.model : out; }
+};
+
+struct TrainedObjectClass {
+  ObjectClassTraining training = {};
+  std::optional<svm::Calibration> rejection = {};
+  std::optional<double> dropped_threshold = {};  // of the model a class was added to
+  std::string parent = {};                       // its SHA-256
+  std::string novel_fingerprint = {};            // of the novel views
 };
 
 std::vector<std::size_t> CountRows(const ObjectClassTraining& training) {
@@ -63,7 +80,8 @@ std::vector<std::size_t> CountSupportVectors(const ObjectClassTraining& training
   return counts;
 }
 
-Json ToJson(const TrainObjectClassOptions& options, const ObjectClassTraining& training) {
+Json ToJson(const TrainObjectClassOptions& options, const TrainedObjectClass& trained) {
+  const ObjectClassTraining& training = trained.training;
   const features::CloudDescriptor& descriptor = training.model.descriptor;
   const features::Similarity& kernel = training.model.svm.similarity;
   Json json = {{"data", options.data},
@@ -90,11 +108,14 @@ Json ToJson(const TrainObjectClassOptions& options, const ObjectClassTraining& t
                              {"penalty", tried.penalty},
                              {"num_correct", tried.num_correct}});
   }
+  if (trained.rejection) AddJson(*trained.rejection, json);
+  if (trained.dropped_threshold) json["dropped_threshold"] = *trained.dropped_threshold;
   json["model"] = options.Target();
   return json;
 }
 
-std::string ToText(const ObjectClassTraining& training) {
+std::string ToText(const TrainedObjectClass& trained) {
+  const ObjectClassTraining& training = trained.training;
   const std::vector<std::size_t> rows = CountRows(training);
   const std::vector<std::size_t> support_vectors = CountSupportVectors(training);
   TextTable classes({"class", "views and copies", "support vectors"});
@@ -121,14 +142,14 @@ std::string ToText(const ObjectClassTraining& training) {
         100.0 * accuracy.low,
         100.0 * accuracy.high);
   }
+  if (trained.rejection) text += tools::ToText(*trained.rejection, "views");
   return text;
 }
 
-// `parent`: the SHA-256 of the model that a class was added to.
 std::vector<std::uint8_t> ModelBytes(const TrainObjectClassOptions& options,
                                      const datasets::ViewSet& set,
-                                     const ObjectClassTraining& training,
-                                     const std::string& parent) {
+                                     const TrainedObjectClass& trained) {
+  const ObjectClassTraining& training = trained.training;
   const std::vector<std::size_t> rows = CountRows(training);
   std::string class_counts;
   for (std::size_t c = 0; c < rows.size(); ++c) {
@@ -140,64 +161,117 @@ std::vector<std::uint8_t> ModelBytes(const TrainObjectClassOptions& options,
       set,
       0,
       {.frame = training.model.descriptor.frame, .outlier_step = training.model.outlier_step});
-  return model_io::Serialise(model_io::MakeObjectClassModel(
-      training.model,
-      object.View(),
-      {.name = options.name,
-       .task = "object-class",
-       .intended_use = "class of an object that stands on a table, from its point cloud",
-       .algorithm = "svm",
-       .data_fingerprint = datasets::Fingerprint(set),
-       .class_counts = class_counts,
-       .parent = parent,
-       .hyper_parameters = FieldsToText(used, "object_class."),
-       .metrics = {
-           {"train.num_samples", NumberToText(training.summary.num_samples)},
-           {"train.num_support_vectors", NumberToText(training.summary.num_support_vectors)},
-           {"train.iterations", NumberToText(training.summary.iterations)},
-           {"train.termination", std::string(NameOf(training.summary.termination))}}}));
+  model_io::Provenance provenance{
+      .name = options.name,
+      .task = "object-class",
+      .intended_use = "class of an object that stands on a table, from its point cloud",
+      .algorithm = "svm",
+      .data_fingerprint = datasets::Fingerprint(set),
+      .class_counts = class_counts,
+      .parent = trained.parent,
+      .hyper_parameters = FieldsToText(used, "object_class."),
+      .metrics = {{"train.num_samples", NumberToText(training.summary.num_samples)},
+                  {"train.num_support_vectors", NumberToText(training.summary.num_support_vectors)},
+                  {"train.iterations", NumberToText(training.summary.iterations)},
+                  {"train.termination", std::string(NameOf(training.summary.termination))}}};
+  if (trained.rejection) {
+    AddMetrics(*trained.rejection, provenance.metrics);
+    provenance.hyper_parameters["object_class.novel_fingerprint"] = trained.novel_fingerprint;
+  }
+  return model_io::Serialise(
+      model_io::MakeObjectClassModel(training.model, object.View(), provenance));
 }
 
-void RequireFitting(const TrainObjectClassOptions& options) {
-  if (options.add_class.empty() == options.to.empty() && !(options.search && !options.to.empty())) {
-    return;
-  }
+// More folds than views would leave some empty.
+void RequireFoldsFit(const TrainObjectClassOptions& options, const datasets::ViewSet& set) {
+  if (!options.is_folds_given) return;
+  std::map<std::string, int> counts;
+  for (const datasets::ObjectView& view : set.items) ++counts[view.object_class];
+  const auto fewest =
+      std::min_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) {
+        return a.second < b.second;
+      });
+  if (options.training.num_folds <= std::max(2, fewest->second)) return;
   throw Error({.kind = Error::Kind::kUsage,
-               .reason = "--add-class NEW and --to MODEL belong together, without --search"});
+               .reason = fmt::format("--folds: {} given; it must be at most {}, the views of the "
+                                     "smallest class, '{}'",
+                                     options.training.num_folds,
+                                     std::max(2, fewest->second),
+                                     fewest->first),
+               .remedy = "-1 holds each view out alone"});
 }
 
-ObjectClassTraining Train(const TrainObjectClassOptions& options,
-                          const datasets::ViewSet& set,
-                          const experiments::ObjectClassOptions& training) {
-  if (options.to.empty()) {
-    return options.search ? experiments::SearchObjectClasses(set, training)
-                          : experiments::TrainObjectClasses(set, training);
+// Read and compared before the long work.
+std::optional<datasets::ViewSet> ReadNovelViews(const TrainObjectClassOptions& options,
+                                                const datasets::ViewSet& known) {
+  if (options.novel.path.empty()) return std::nullopt;
+  if (options.training.num_folds == 0) {
+    throw Error({.kind = Error::Kind::kUsage,
+                 .reason = "--novel needs --folds: novel views are told from held-out known ones",
+                 .remedy = "leave out --folds 0"});
   }
+  const datasets::ViewSet whole = datasets::ReadViewSet(options.novel.path);
+  RequireNotAnInput(options.Target(), FilesOf(whole));
+  datasets::ViewSet novel = datasets::OnlySplit(whole, options.novel_split);
+  experiments::RequireNovel(novel, known);
+  return novel;
+}
+
+void AddNewClass(const TrainObjectClassOptions& options,
+                 const datasets::ViewSet& set,
+                 experiments::ObjectClassOptions training,
+                 TrainedObjectClass& trained) {
+  const std::string& path = options.growth.model;
+  const std::vector<std::uint8_t> bytes = ReadFile(path);
+  static_cast<void>(experiments::LoadModel(path));  // only what a robot would load
   const model_io::ObjectClassModel model =
-      model_io::ReadObjectClassModel(model_io::Parse(ReadFile(options.to), options.to));
-  return experiments::AddObjectClass(model, set, options.add_class, training);
+      model_io::ReadObjectClassModel(model_io::Parse(bytes, path));
+  trained.parent = Sha256Hex(bytes);
+  // Views are held out for the threshold alone: the point is to train few machines.
+  if (options.novel.path.empty()) training.num_folds = 0;
+  trained.training = experiments::AddObjectClass(model, set, options.growth.new_class, training);
+  if (options.novel.path.empty()) trained.dropped_threshold = model.svm.rejection_threshold;
+}
+
+TrainedObjectClass Train(const TrainObjectClassOptions& options,
+                         const datasets::ViewSet& set,
+                         const experiments::ObjectClassOptions& training) {
+  const std::optional<datasets::ViewSet> novel = ReadNovelViews(options, set);
+  TrainedObjectClass trained;
+  if (!options.growth.new_class.empty()) {
+    AddNewClass(options, set, training, trained);
+  } else {
+    trained.training = options.search ? experiments::SearchObjectClasses(set, training)
+                                      : experiments::TrainObjectClasses(set, training);
+  }
+  RequireUsable(trained.training.summary);
+  if (novel) {
+    trained.rejection = experiments::RejectNovelViews(
+        *novel, options.novel.max_lost, training.svm.num_threads, trained.training);
+    trained.novel_fingerprint = datasets::Fingerprint(*novel);
+  }
+  return trained;
 }
 
 void RunTrainObjectClass(const TrainObjectClassOptions& options, const Console& console) {
-  RequireFitting(options);
   RequireWritable(options.Target());
   const datasets::ViewSet whole = datasets::ReadViewSet(options.data);
   RequireNotAnInput(options.Target(), FilesOf(whole));
   const datasets::ViewSet set = datasets::OnlySplit(whole, options.split);
-  const std::string parent = options.to.empty() ? "" : Sha256Hex(ReadFile(options.to));
+  RequireFoldsFit(options, set);
   ProgressBar bar(console);
-  experiments::ObjectClassOptions training_options = options.training;
-  training_options.svm.progress = bar.Callback();
-  const ObjectClassTraining training = Train(options, set, training_options);
+  experiments::ObjectClassOptions training = options.training;
+  training.svm.progress = bar.Callback();
+  const TrainedObjectClass trained = Train(options, set, training);
   bar.Clear();
-  RequireUsable(training.summary);
+  if (trained.dropped_threshold) console.Warn(DroppedThresholdText(*trained.dropped_threshold));
   const std::string& target = options.Target();
-  if (!target.empty()) WriteFileAtomically(target, ModelBytes(options, set, training, parent));
+  if (!target.empty()) WriteFileAtomically(target, ModelBytes(options, set, trained));
   if (options.json) {
-    console.Print(ToJson(options, training));
+    console.Print(ToJson(options, trained));
     return;
   }
-  console.out << ToText(training);
+  console.out << ToText(trained);
   if (!target.empty()) console.out << "\nModel written to " << target << '\n';
 }
 
@@ -213,22 +287,23 @@ void AddTrainObjectClass(CLI::App& parent, const Console& console) {
   command->add_option("--out", options->out, "Model file to write")->type_name("FILE");
   command->add_option("--name", options->name, "Name of the model, stored in it")
       ->capture_default_str();
-  command
-      ->add_option("--add-class",
-                   options->add_class,
-                   "Add this class of the views to a model, training its pairs alone")
-      ->type_name("NEW");
-  command
-      ->add_option("--to", options->to, "… to this model, which is replaced unless --out is given")
-      ->type_name("MODEL");
   command->add_flag(
       "--search", options->search, "Choose kernel, degree, gamma and C by cross-validation");
   AddObjectClassOptions(*command, options->training);
+  AddNovelOptions(*command, "DIR", "views", options->novel);
+  command->add_option("--novel-split", options->novel_split, "Split of --novel; all without it")
+      ->needs("--novel")
+      ->group(kSvmGroup);
+  AddSvmGrowthOptions(
+      *command, "Model to add the class to: replaced unless --out is given", options->growth);
   AddSeedOption(*command, options->training.moved.seed);
   AddThreadsOption(*command, options->training.svm.num_threads);
   AddJsonFlag(*command, options->json);
   SetExample(*command, "handcraft train object-class out/turntable --out object_class.safetensors");
-  command->callback([options, &console] { RunTrainObjectClass(*options, console); });
+  command->callback([options, command, &console] {
+    options->is_folds_given = command->count("--folds") > 0;
+    RunTrainObjectClass(*options, console);
+  });
 }
 
 }  // namespace handcraft::tools

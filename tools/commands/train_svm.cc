@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -30,9 +31,12 @@
 #include "tools/svm_fit.h"
 #include "tools/svm_growth.h"
 #include "tools/svm_options.h"
+#include "tools/svm_rejection.h"
 #include "tools/table_command.h"
 #include "tools/text_table.h"
 #include "tools/training_table.h"
+#include "trainers/svm/cross_validation.h"
+#include "trainers/svm/margins.h"
 #include "trainers/svm/rejection.h"
 
 namespace handcraft::tools {
@@ -44,7 +48,7 @@ struct TrainSvmOptions {
   TableArguments arguments = {};
   SvmFitOptions fit = {};
   SvmGrowth growth = {};
-  std::string novel = {};  // table of what belongs to no class; empty: none
+  NovelOptions novel = {};
 };
 
 // A machine with all that its file says of it.
@@ -52,8 +56,9 @@ struct TrainedSvm {
   datasets::Table table = {};
   datasets::ClassLabels labels = {};
   SvmFit fit = {};
-  std::optional<svm::Rejection> rejection = {};
-  std::string parent = {};  // SHA-256 of the model a class was added to
+  std::optional<svm::Calibration> rejection = {};
+  std::optional<double> dropped_threshold = {};  // of the model a class was added to
+  std::string parent = {};                       // its SHA-256
 };
 
 struct ClassCounts {
@@ -95,11 +100,8 @@ Json ToJson(const TrainSvmOptions& options, const TrainedSvm& trained) {
     json["num_tried"] = trained.fit.num_tried;
     json["held_out_accuracy"] = trained.fit.held_out->accuracy;
   }
-  if (trained.rejection) {
-    json["rejection_threshold"] = trained.rejection->threshold;
-    json["false_rejection"] = trained.rejection->false_rejection;
-    json["false_acceptance"] = trained.rejection->false_acceptance;
-  }
+  if (trained.rejection) AddJson(*trained.rejection, json);
+  if (trained.dropped_threshold) json["dropped_threshold"] = *trained.dropped_threshold;
   return json;
 }
 
@@ -125,14 +127,7 @@ std::string HeldOutText(const TrainedSvm& trained) {
     text += fmt::format("Held out in turns, {:.2f} % are right\n",
                         100.0 * trained.fit.held_out->accuracy);
   }
-  if (trained.rejection) {
-    text += fmt::format(
-        "None of these below a margin of {:.4g}: {:.2f} % of the held-out rows, and all but "
-        "{:.2f} % of the novel ones\n",
-        trained.rejection->threshold,
-        100.0 * trained.rejection->false_rejection,
-        100.0 * trained.rejection->false_acceptance);
-  }
+  if (trained.rejection) text += tools::ToText(*trained.rejection, "rows");
   return text;
 }
 
@@ -170,6 +165,10 @@ model_io::Provenance ProvenanceOf(const TrainSvmOptions& options, const TrainedS
                   {"train.iterations", NumberToText(summary.iterations)},
                   {"train.violation", NumberToText(summary.violation)},
                   {"train.termination", std::string(NameOf(summary.termination))}}};
+  if (trained.rejection) {
+    AddMetrics(*trained.rejection, provenance.metrics);
+    provenance.hyper_parameters["svm.novel_fingerprint"] = Sha256Hex(ReadFile(options.novel.path));
+  }
   for (std::size_t c = 0; c < counts.samples.size(); ++c) {
     provenance.class_counts += fmt::format("{}{}: {}", c == 0 ? "" : ", ", c, counts.samples[c]);
   }
@@ -184,20 +183,49 @@ std::vector<std::uint8_t> ModelBytes(const TrainSvmOptions& options, const Train
                                                     ProvenanceOf(options, trained)));
 }
 
-// Margins of the novel rows, as the robot's runtime gives them.
-std::vector<double> NovelMargins(const TrainSvmOptions& options, const TrainedSvm& trained) {
-  const experiments::LoadedModel model = experiments::LoadModel(ModelBytes(options, trained));
-  const experiments::TableModel names{.columns = trained.table.columns,
-                                      .label_column = trained.table.label_column,
-                                      .negative_label = {},
-                                      .positive_label = {},
-                                      .classes = trained.labels.names};
-  std::vector<double> margins;
-  for (const experiments::RowClass& row :
-       experiments::ClassifyTable(model.get(), experiments::ReadTableFor(names, options.novel))) {
-    margins.push_back(row.margin);
+void RequireFolds(const TrainSvmOptions& options) {
+  const bool has_folds = options.fit.num_folds > 0;
+  if (!options.novel.path.empty() && !has_folds) {
+    throw Error({.kind = Error::Kind::kUsage,
+                 .reason = "--novel needs --folds: novel rows are told from held-out known ones",
+                 .remedy = "give --folds 5"});
   }
-  return margins;
+  if (!options.growth.new_class.empty() && options.novel.path.empty() && has_folds) {
+    throw Error({.kind = Error::Kind::kUsage,
+                 .reason = "--add-class holds rows out for --novel alone, which is not given",
+                 .remedy = "leave --folds out"});
+  }
+}
+
+datasets::Table ReadNovelRows(const TrainSvmOptions& options, const TrainedSvm& trained) {
+  const std::string& path = options.novel.path;
+  datasets::Table novel = experiments::ReadTableFor({.columns = trained.table.columns,
+                                                     .label_column = trained.table.label_column,
+                                                     .negative_label = {},
+                                                     .positive_label = {},
+                                                     .classes = trained.labels.names},
+                                                    path);
+  for (const std::string& label : novel.labels) {
+    const auto& known = trained.labels.names;
+    if (std::find(known.begin(), known.end(), label) == known.end()) continue;
+    throw Error({.path = path,
+                 .reason = fmt::format(
+                     "a row of the class '{}', which is one to tell, is not novel", label),
+                 .remedy = "give rows of no class"});
+  }
+  return novel;
+}
+
+void RejectNovelRows(const TrainSvmOptions& options, TrainedSvm& trained) {
+  if (options.novel.path.empty()) return;
+  const datasets::Table novel = ReadNovelRows(options, trained);
+  trained.rejection = NamingTable(options.novel.path, [&] {
+    return svm::RejectNovel(trained.fit.held_out->margins,
+                            MatrixOf(novel),
+                            options.novel.max_lost,
+                            options.fit.svm.num_threads,
+                            trained.fit.result.model);
+  });
 }
 
 TrainedSvm TrainAll(const TrainSvmOptions& options) {
@@ -207,15 +235,6 @@ TrainedSvm TrainAll(const TrainSvmOptions& options) {
   trained.fit = NamingTable(options.arguments.table, [&] {
     return FitSvm(MatrixOf(trained.table), trained.labels.values, options.fit);
   });
-  if (options.novel.empty()) return trained;
-  if (!trained.fit.held_out) {
-    throw Error(
-        {.kind = Error::Kind::kUsage,
-         .reason = "--novel needs --folds: the margins of known rows must be held-out ones"});
-  }
-  trained.rejection =
-      svm::CalibrateRejection(trained.fit.held_out->margins, NovelMargins(options, trained));
-  trained.fit.result.model.rejection_threshold = trained.rejection->threshold;
   return trained;
 }
 
@@ -240,15 +259,30 @@ TrainedSvm TrainNewClass(const TrainSvmOptions& options) {
         growing.model, MatrixOf(trained.table), trained.labels.values, trained.fit.options);
   });
   RequireUsable(trained.fit.result.summary);
+  trained.dropped_threshold = growing.model.rejection_threshold;
+  if (!options.novel.path.empty()) {
+    trained.fit.held_out = NamingTable(options.arguments.table, [&] {
+      return svm::CrossValidateLike(
+          growing.model,
+          MatrixOf(trained.table),
+          trained.labels.values,
+          svm::StratifiedFolds(trained.labels.values, options.fit.num_folds),
+          trained.fit.options);
+    });
+    trained.dropped_threshold.reset();
+  }
   return trained;
 }
 
 void RunTrainSvm(TrainSvmOptions options, const Console& console) {
   ProgressBar bar(console);
   options.fit.svm.progress = bar.Callback();
-  const TrainedSvm trained =
+  RequireFolds(options);
+  TrainedSvm trained =
       options.growth.new_class.empty() ? TrainAll(options) : TrainNewClass(options);
+  RejectNovelRows(options, trained);
   bar.Clear();
+  if (trained.dropped_threshold) console.Warn(DroppedThresholdText(*trained.dropped_threshold));
   const std::string& out = options.arguments.out;
   if (!out.empty()) WriteFileAtomically(out, ModelBytes(options, trained));
   if (options.arguments.json) {
@@ -271,13 +305,8 @@ void AddTrainSvm(CLI::App& parent, const Console& console) {
                                       options->arguments);
   AddThreadsOption(*command, options->fit.svm.num_threads);
   AddSvmFitOptions(*command, options->fit);
-  command
-      ->add_option("--novel",
-                   options->novel,
-                   "Table of rows of no class: sets the margin below which a row is none of these")
-      ->type_name("TABLE")
-      ->group(kSvmGroup);
-  AddSvmGrowthOptions(*command, options->growth);
+  AddNovelOptions(*command, "TABLE", "rows", options->novel);
+  AddSvmGrowthOptions(*command, "Model to add the class to", options->growth);
   SetExample(*command,
              "handcraft train svm datasets/samples/tables/breast_w.csv --label class --kernel rbf");
   command->callback([options, &console] { RunTrainSvm(*options, console); });

@@ -103,7 +103,7 @@ std::vector<std::uint32_t> StratifiedFolds(std::span<const std::uint32_t> classe
   std::size_t fewest = classes.size();
   for (const auto& [c, count] : counts) fewest = std::min(fewest, count);
   RequireOption(num_folds >= 2 && num_folds <= fewest,
-                "num_folds",
+                "the number of folds",
                 num_folds,
                 fmt::format("from 2 to {}, the rows of the smallest class", fewest));
   std::map<std::uint32_t, std::size_t> next;

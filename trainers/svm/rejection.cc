@@ -6,10 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "lib/core/error.h"
+#include "trainers/svm/margins.h"
 
 namespace handcraft::svm {
 namespace {
@@ -27,7 +26,8 @@ void AddMargins(std::span<const double> values,
     throw Error({.kind = Error::Kind::kBadInput,
                  .reason = "no margins of " + what +
                            " samples: there is nothing to set the "
-                           "threshold of rejection by"});
+                           "threshold of rejection by",
+                 .remedy = "give samples of objects that are known and of others"});
   }
   for (const double value : values) {
     if (!std::isfinite(value)) {
@@ -39,10 +39,24 @@ void AddMargins(std::span<const double> values,
   }
 }
 
+double Share(std::size_t part, std::size_t whole) noexcept {
+  return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
 }  // namespace
 
-Rejection CalibrateRejection(std::span<const double> known_margins,
-                             std::span<const double> novel_margins) {
+double Rejection::FalseRejection() const noexcept { return Share(num_known_rejected, num_known); }
+
+double Rejection::FalseAcceptance() const noexcept {
+  return 1.0 - Share(num_novel_rejected, num_novel);
+}
+
+double Rejection::BalancedAccuracy() const noexcept {
+  return 1.0 - 0.5 * (FalseRejection() + FalseAcceptance());
+}
+
+std::vector<Rejection> RejectionTradeOff(std::span<const double> known_margins,
+                                         std::span<const double> novel_margins) {
   std::vector<Margin> margins;
   margins.reserve(known_margins.size() + novel_margins.size());
   AddMargins(known_margins, true, "known", margins);
@@ -50,28 +64,53 @@ Rejection CalibrateRejection(std::span<const double> known_margins,
   std::sort(margins.begin(), margins.end(), [](const Margin& a, const Margin& b) {
     return a.value < b.value;
   });
-  const auto num_known = static_cast<double>(known_margins.size());
-  const auto num_novel = static_cast<double>(novel_margins.size());
-  // Below the smallest margin nothing is rejected; above the largest, everything.
-  Rejection best{.threshold = margins.front().value,
-                 .false_rejection = 0.0,
-                 .false_acceptance = 1.0,
-                 .balanced_accuracy = 0.5};
-  double rejected_known = 0.0;
-  double rejected_novel = 0.0;
+  Rejection at{.threshold = margins.front().value,
+               .num_known = known_margins.size(),
+               .num_novel = novel_margins.size()};
+  std::vector<Rejection> trade_off = {at};
   for (std::size_t i = 0; i + 1 < margins.size(); ++i) {
-    (margins[i].is_known ? rejected_known : rejected_novel) += 1.0;
+    ++(margins[i].is_known ? at.num_known_rejected : at.num_novel_rejected);
     if (margins[i].value == margins[i + 1].value) continue;
-    const double false_rejection = rejected_known / num_known;
-    const double false_acceptance = 1.0 - rejected_novel / num_novel;
-    const double accuracy = 1.0 - 0.5 * (false_rejection + false_acceptance);
-    if (accuracy <= best.balanced_accuracy) continue;
-    best = {.threshold = margins[i].value + 0.5 * (margins[i + 1].value - margins[i].value),
-            .false_rejection = false_rejection,
-            .false_acceptance = false_acceptance,
-            .balanced_accuracy = accuracy};
+    at.threshold = margins[i].value + 0.5 * (margins[i + 1].value - margins[i].value);
+    trade_off.push_back(at);
+  }
+  return trade_off;
+}
+
+Rejection ChooseRejection(std::span<const Rejection> trade_off, double max_false_rejection) {
+  Rejection best = trade_off.front();
+  for (const Rejection& rejection : trade_off) {
+    if (rejection.FalseRejection() <= max_false_rejection &&
+        rejection.BalancedAccuracy() > best.BalancedAccuracy()) {
+      best = rejection;
+    }
   }
   return best;
 }
+
+Rejection CalibrateRejection(std::span<const double> known_margins,
+                             std::span<const double> novel_margins,
+                             double max_false_rejection) {
+  return ChooseRejection(RejectionTradeOff(known_margins, novel_margins), max_false_rejection);
+}
+
+template <class T>
+Calibration RejectNovel(std::span<const double> known_margins,
+                        const DesignMatrix<T>& novel,
+                        double max_false_rejection,
+                        int num_threads,
+                        model_io::SvmModel& model) {
+  Calibration calibration{
+      .chosen = {},
+      .trade_off = RejectionTradeOff(known_margins, MarginsOf(model, novel, num_threads))};
+  calibration.chosen = ChooseRejection(calibration.trade_off, max_false_rejection);
+  model.rejection_threshold = calibration.chosen.threshold;
+  return calibration;
+}
+
+template Calibration RejectNovel(
+    std::span<const double>, const DesignMatrix<float>&, double, int, model_io::SvmModel&);
+template Calibration RejectNovel(
+    std::span<const double>, const DesignMatrix<double>&, double, int, model_io::SvmModel&);
 
 }  // namespace handcraft::svm

@@ -23,11 +23,11 @@ TEST(ConfusionTable, ShowsCountsAndSharesOfTheRowWithIntervals) {
           0.9),
       AllOf(HasSubstr("(above 0.9)"),
             HasSubstr(">3</span><span class=\"share\">75.0 %</span>"
-                      "<span class=\"range\">[50.0, 80.0] %"),
+                      "<span class=\"range\">[50.0, 80.0]"),
             HasSubstr(">1</span><span class=\"share\">25.0 %</span>"
-                      "<span class=\"range\">[20.0, 50.0] %"),
+                      "<span class=\"range\">[20.0, 50.0]"),
             HasSubstr(">1</span><span class=\"share\">12.5 %</span>"
-                      "<span class=\"range\">[0.0, 40.0] %"),
+                      "<span class=\"range\">[0.0, 40.0]"),
             HasSubstr(">7</span><span class=\"share\">87.5 %")));
 }
 

@@ -53,7 +53,7 @@ TEST(DecimalEstimateText, LeavesOutTheIntervalThatIsNot) {
 TEST(NumberTexts, RoundAndMarkWhatIsUndefined) {
   EXPECT_EQ(PercentText(0.81251), "81.3 %");
   EXPECT_EQ(PercentText(kNaN), "–");
-  EXPECT_EQ(PercentIntervalText({0.8, 0.72, 0.881}), "[72.0, 88.1] %");
+  EXPECT_EQ(PercentIntervalText({0.8, 0.72, 0.881}), "[72.0, 88.1]");
   EXPECT_EQ(PercentIntervalText({0.8, kNaN, 0.9}), "");
   EXPECT_EQ(DecimalText(0.95678, 3), "0.957");
   EXPECT_EQ(DecimalText(kNaN, 3), "–");

@@ -100,6 +100,19 @@ TEST_F(GraspPlanFile, TellsFileAndLineOfFaults) {
       Read("[grasp_library]\nneighbours = 33\n"), Error, HasSubstr("a number from 1 to 32"));
   EXPECT_THROWS_MESSAGE(
       Read("[grasp_library]\nattempts = 65\n"), Error, HasSubstr("a number from 1 to 64"));
+  EXPECT_THROWS_MESSAGE(
+      Read("[object_class]\nnone_of_these = \"stop\"\n"),
+      Error,
+      AllOf(HasSubstr("plan.toml:2"), HasSubstr("must be \"refuse\" or \"nearest\"")));
+  EXPECT_THROWS_MESSAGE(Read("[hand]\ngrasp_centre_xyzw = [0, 0, 0, 2]\n"),
+                        Error,
+                        AllOf(HasSubstr("plan.toml:2"), HasSubstr("of length 1: x, y, z, w")));
+}
+
+TEST_F(GraspPlanFile, SaysWhatBecomesOfAnObjectOfNoClass) {
+  EXPECT_FALSE(Read("").take_nearest_class);
+  EXPECT_FALSE(Read("[object_class]\nnone_of_these = \"refuse\"\n").take_nearest_class);
+  EXPECT_TRUE(Read("[object_class]\nnone_of_these = \"nearest\"\n").take_nearest_class);
 }
 
 GraspPlanOptions Whole() {

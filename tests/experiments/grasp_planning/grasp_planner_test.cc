@@ -25,6 +25,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const std::string kRobots = HANDCRAFT_SOURCE_DIR "/models/robots/";
 const std::string kArm = kRobots + "dual_wam/right_arm.toml";
@@ -193,6 +194,42 @@ TEST_F(GraspPlannerTest, AModelMaySayTheClass) {
   EXPECT_THROWS_MESSAGE(Plan(), Error, HasSubstr("fewer than 3 points of the object"));
 }
 
+TEST_F(GraspPlannerTest, AnObjectThatIsNoneOfTheClassesIsRefusedOrTakenForTheNearest) {
+  model_io::ObjectClassModel model = testing::SomeObjectClasses();
+  model.outlier_step = 0.0;
+  model.classes = {"board", "mug", "can"};
+  WriteLibrary({.classes = model.classes, .robot = "dual_wam", .joints = RightJoints()});
+  options_.object_class.clear();
+  options_.object_class_model = folder_ / "classes.safetensors";
+  const auto write = [&](std::optional<double> threshold) {
+    model.svm.rejection_threshold = threshold;
+    const datasets::MaskedCloud example =
+        datasets::TakeObjectCloud(scene_.cloud, scene_.object_mask, {.outlier_step = 0.0});
+    WriteFileAtomically(
+        options_.object_class_model,
+        model_io::Serialise(model_io::MakeObjectClassModel(model, example.View(), {})));
+  };
+  write({});
+  const GraspPlan sure = Plan();
+  ASSERT_TRUE(sure.class_margin.has_value());
+  EXPECT_FALSE(sure.is_class_rejected);
+  write(*sure.class_margin + 1.0);
+  EXPECT_THROWS_MESSAGE(Plan(),
+                        Error,
+                        AllOf(HasSubstr("classes.safetensors"),
+                              HasSubstr("none of the model's classes"),
+                              HasSubstr("the nearest is '" + sure.object_class + "'"),
+                              HasSubstr("--nearest-class")));
+  options_.take_nearest_class = true;
+  const GraspPlan nearest = Plan();
+  EXPECT_TRUE(nearest.is_class_rejected);
+  EXPECT_EQ(nearest.object_class, sure.object_class);
+  EXPECT_EQ(nearest.class_margin, sure.class_margin);
+  EXPECT_EQ(nearest.kinematics.best.joints, sure.kinematics.best.joints);
+  write(*sure.class_margin);  // not below it
+  EXPECT_FALSE(Plan().is_class_rejected);
+}
+
 TEST_F(GraspPlannerTest, RefusesAnArmThatDidNotShowTheGrasps) {
   options_.robot = kLeftArm;
   EXPECT_THROWS_MESSAGE(GraspPlanner{options_},
@@ -226,10 +263,27 @@ TEST_F(GraspPlannerTest, RefusesACloudOfTwoPoints) {
       scene_.cloud.points[static_cast<std::size_t>(16 * v + u)] = {nan, nan, nan};
     }
   }
-  EXPECT_THROWS_MESSAGE(
-      Plan(), Error, HasSubstr("the object's cloud has fewer than three measured points"));
+  const auto refused = [this](const std::string& reason, const std::string& remedy) {
+    try {
+      static_cast<void>(Plan());
+      FAIL() << "planned";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.details().kind, Error::Kind::kNoResult);
+      EXPECT_THAT(error.details().reason, HasSubstr(reason));
+      EXPECT_THAT(error.details().remedy, AllOf(HasSubstr(remedy), Not(HasSubstr("click"))));
+    }
+  };
+  refused("fewer than 3 points of the object were measured", "look at it from elsewhere");
   scene_.cloud.points.assign(16 * 12, Eigen::Vector3f(nan, nan, nan));
-  EXPECT_THROWS_MESSAGE(Plan(), Error, HasSubstr("no point of the object was measured within"));
+  refused("fewer than 3 points of the object were measured", "look at it from elsewhere");
+  scene_.object_mask = Image(16, 12);
+  refused("no pixel of the mask is the object's", "--mask that is not 0");
+  const datasets::LoadedView whole = datasets::testing::SmallView(0.0, 0.0, 0);
+  scene_.cloud = *whole.cloud;
+  scene_.object_mask.At(8, 6) = scene_.object_mask.At(9, 6) = 255;
+  refused("fewer than 3 points of the object were measured", "another --mask");
+  scene_.object_mask.At(7, 6) = 255;  // three in a row
+  refused("the object's cloud has its points on one line", "another --mask");
 }
 
 TEST_F(GraspPlannerTest, RefusesScenesThatDoNotFit) {

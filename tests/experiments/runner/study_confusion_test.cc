@@ -26,10 +26,10 @@ TEST(ConfusionCountsTable, HasARowAThresholdWithIntervals) {
   EXPECT_THAT(table.rows[0],
               ElementsAre("laplacian, ridge = 0.5",
                           "0.5",
-                          "2, 50.0 % [25.0, 75.0] %",
-                          "2, 50.0 % [25.0, 75.0] %",
-                          "1, 25.0 % [12.5, 50.0] %",
-                          "3, 75.0 % [50.0, 87.5] %"));
+                          "2, 50.0 % [25.0, 75.0]",
+                          "2, 50.0 % [25.0, 75.0]",
+                          "1, 25.0 % [12.5, 50.0]",
+                          "3, 75.0 % [50.0, 87.5]"));
   EXPECT_EQ(table.rows[1][1], "0.9");
 }
 

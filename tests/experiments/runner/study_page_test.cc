@@ -24,7 +24,7 @@ TEST(MakeStudyPage, HoldsTablesFiguresAndVerdict) {
   EXPECT_THAT(Page({}),
               AllOf(HasSubstr("Which filter?"),
                     HasSubstr("this holds on these data"),
-                    HasSubstr("80.0 %<span class=\"range\">[80.0, 80.0] %"),
+                    HasSubstr("80.0 %<span class=\"range\">[80.0, 80.0]"),
                     HasSubstr("-10.00<span class=\"range\">[-10.00, -10.00]"),
                     HasSubstr("data:image/svg+xml;base64,"),
                     HasSubstr("<h2>edge, ridge = 2</h2>"),

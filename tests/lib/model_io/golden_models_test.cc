@@ -92,6 +92,29 @@ TEST(GoldenModels, OfFormat1ClassifyCloudsAsTheyDid) {
   hc_model_free(model);
 }
 
+// Of SomeObject(24, 20).
+void ExpectClass(const std::string& name, bool is_rejected, const std::vector<double>& expected) {
+  hc_model* model = Load(name);
+  hc_workspace* workspace = nullptr;
+  ASSERT_EQ(hc_row_workspace_create(model, &workspace), HC_OK);
+  const testing::SomeObject object(24, 20);
+  const hc_cloud cloud{object.points.data(), 24, 20, 72, 3, object.mask.data(), 24};
+  hc_class_prediction prediction{};
+  double values[3];
+  ASSERT_EQ(hc_classify_cloud(model, workspace, &cloud, &prediction, values), HC_OK);
+  EXPECT_EQ(prediction.number, 2);
+  EXPECT_EQ(prediction.rejected != 0, is_rejected);
+  for (std::size_t m = 0; m < 3; ++m) EXPECT_NEAR(values[m], expected[m], 1e-5) << name;
+  hc_workspace_free(workspace);
+  hc_model_free(model);
+}
+
+TEST(GoldenModels, OfFormat1ClassifyHistogramsAsTheyDid) {
+  ExpectClass("v1_object_class_vfh.safetensors", false, {29.09090936, -70.90909285, -100.00000226});
+  ExpectClass(
+      "v1_object_class_esf.safetensors", true, {-0.0018049726, -0.0091311756, -0.0073262030});
+}
+
 TEST(GoldenModels, OfFormat1FindGraspsAsTheyDid) {
   hc_model* model = Load("v1_grasp_library.safetensors");
   hc_workspace* workspace = nullptr;

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "lib/core/file.h"
+#include "lib/model_io/model_writer.h"
+#include "tests/lib/runtime/some_models.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/tools/support/run.h"
 
@@ -12,6 +14,7 @@ namespace handcraft::tools {
 namespace {
 
 using handcraft::testing::TemporaryDirectory;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using testing::Outcome;
 using testing::RunLine;
@@ -42,13 +45,55 @@ TEST(Export, RefusesOtherModelsAndFormats) {
   ASSERT_EQ(RunLine("train logistic " + kBreast + " --label class --out " + model).code, 0);
   const Outcome logistic = RunLine("export " + model + " --to libsvm" + out);
   EXPECT_EQ(logistic.code, 3);
-  EXPECT_THAT(logistic.err, HasSubstr("not of kind svm"));
+  EXPECT_THAT(
+      logistic.err,
+      AllOf(HasSubstr(model), HasSubstr("of kind logistic"), HasSubstr("handcraft train svm")));
+  const std::string clouds = (folder / "clouds").string();
+  WriteFileAtomically(clouds, model_io::Serialise(handcraft::testing::SomeObjectClassModel()));
+  const Outcome object_class = RunLine("export " + clouds + " --to libsvm" + out);
+  EXPECT_EQ(object_class.code, 3);
+  EXPECT_THAT(object_class.err, AllOf(HasSubstr(clouds), HasSubstr("cannot describe a cloud")));
   EXPECT_EQ(RunLine("export " + model + " --to onnx" + out).code, 2);
   EXPECT_EQ(RunLine("export " + model + " --to libsvm --out " + model).code, 2);
   ASSERT_EQ(RunLine("train svm " + kBreast + " --label class --standardize --out " + model).code,
             0);
   EXPECT_THAT(RunLine("export " + model + " --to libsvm" + out).err,
-              HasSubstr("train it without --standardize"));
+              AllOf(HasSubstr(model), HasSubstr("train it without --standardize")));
+}
+
+TEST(Export, SaysWhichNamesAreLostAndImportTakesThemBack) {
+  const TemporaryDirectory folder;
+  const std::string model = (folder / "m").string();
+  const std::string text = (folder / "t").string();
+  const std::string again = (folder / "again").string();
+  // The last column is 0 everywhere: libsvm leaves it out.
+  std::string rows = "length,width,none,object\n";
+  for (int i = 1; i < 9; ++i) {
+    const std::string off = std::to_string(i);
+    rows.append(off).append(",1,0,mug\n").append(off).append(",9,0,can\n");
+  }
+  WriteFileAtomically(folder / "t.csv", rows);
+  const std::string table = (folder / "t.csv").string();
+  ASSERT_EQ(RunLine("train svm " + table + " --label object --out " + model).code, 0);
+  const Outcome exported = RunLine("export " + model + " --to libsvm --out " + text);
+  ASSERT_EQ(exported.code, 0) << exported.err;
+  EXPECT_THAT(exported.err,
+              AllOf(HasSubstr("warning: libsvm's text holds no names"),
+                    HasSubstr("--columns 'length,width,none' --classes 'mug,can' "
+                              "--label 'object'")));
+  const std::string import = "import " + text + " --from libsvm --out " + again;
+  ASSERT_EQ(RunLine(import).code, 0);
+  EXPECT_NE(RunLine("evaluate " + again + " " + table).code, 0);
+  ASSERT_EQ(RunLine(import + " --columns length,width,none --classes mug,can --label object").code,
+            0);
+  const Outcome first = RunLine("evaluate " + model + " " + table + " --json");
+  ASSERT_EQ(first.code, 0) << first.err;
+  EXPECT_EQ(RunLine("evaluate " + again + " " + table + " --json").out, first.out);
+  const Outcome few = RunLine(import + " --columns length");
+  EXPECT_EQ(few.code, 2);
+  EXPECT_THAT(few.err, HasSubstr("1 columns are named; the support vectors have 2"));
+  EXPECT_THAT(RunLine(import + " --classes mug").err,
+              HasSubstr("1 classes are named; the model has 2"));
 }
 
 }  // namespace

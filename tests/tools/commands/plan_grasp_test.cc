@@ -7,7 +7,9 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "datasets/object_clouds.h"
 #include "lib/core/file.h"
+#include "lib/model_io/object_class_models.h"
 #include "lib/perception/image_io.h"
 #include "tests/datasets/small_views.h"
 #include "tests/support/temporary_directory.h"
@@ -90,6 +92,71 @@ TEST_F(PlanGrasp, RefusesWrongUseAndUnknownClasses) {
   const Outcome twice = Plan("--grasp-point 7,5 --grasp-points m.safetensors");
   EXPECT_EQ(twice.code, 2);
   EXPECT_THAT(twice.err, HasSubstr("told twice"));
+}
+
+// The whole chain: a classifier trained with novel views, and a scene of something novel.
+TEST_F(PlanGrasp, RefusesAnObjectThatIsNoneOfTheClassesOrTakesTheNearest) {
+  const std::string classifier = (folder_ / "classes.safetensors").string();
+  ASSERT_EQ(testing::RunArgs({"train",
+                              "object-class",
+                              set_.string(),
+                              "--split",
+                              "",
+                              "--grid-size",
+                              "4",
+                              "--outlier-step",
+                              "0",
+                              "--folds",
+                              "0",
+                              "--out",
+                              classifier})
+                .code,
+            0);
+  const Outcome sure = Plan("--json --classifier " + classifier);
+  ASSERT_EQ(sure.code, 0) << sure.err;
+  const auto before = nlohmann::json::parse(sure.out);
+  EXPECT_EQ(before["class"], "board");
+  EXPECT_FALSE(before["class_rejected"].get<bool>());
+  EXPECT_FALSE(before.contains("class_rejection_threshold"));
+  // The same with a threshold that the scene does not reach.
+  model_io::ObjectClassModel model =
+      model_io::ReadObjectClassModel(model_io::Parse(ReadFile(classifier), classifier));
+  const double threshold = before["class_margin"].get<double>() + 0.5;
+  model.svm.rejection_threshold = threshold;
+  const datasets::MaskedCloud example =
+      datasets::ReadObjectCloud(datasets::ReadViewSet(set_), 0, {.outlier_step = 0.0});
+  WriteFileAtomically(
+      classifier, model_io::Serialise(model_io::MakeObjectClassModel(model, example.View(), {})));
+  const std::string out = (folder_ / "out").string();
+  const Outcome refused = Plan("--json --out " + out + " --classifier " + classifier);
+  EXPECT_EQ(refused.code, 4);
+  EXPECT_EQ(refused.out, "");
+  EXPECT_THAT(refused.err,
+              AllOf(HasSubstr("none of the model's classes"),
+                    HasSubstr("the nearest is 'board'"),
+                    HasSubstr("--nearest-class")));
+  EXPECT_FALSE(std::filesystem::exists(out));
+  const Outcome nearest = Plan("--json --nearest-class --classifier " + classifier);
+  ASSERT_EQ(nearest.code, 0) << nearest.err;
+  const auto after = nlohmann::json::parse(nearest.out);
+  EXPECT_TRUE(after["class_rejected"].get<bool>());
+  EXPECT_EQ(after["class_rejection_threshold"], threshold);
+  EXPECT_EQ(after["joints"], before["joints"]);
+  EXPECT_THAT(Plan("--nearest-class --classifier " + classifier).out,
+              HasSubstr("board, the nearest of the classes, though it is none of these, turned"));
+  // The same by a line of the plan file.
+  std::string plan = ReadTextFile(folder_ / "plan.toml");
+  plan.replace(plan.find("name = \"board\""), 14, "none_of_these = \"nearest\"");
+  WriteFileAtomically(folder_ / "plan.toml", plan);
+  EXPECT_EQ(Plan("--classifier " + classifier).code, 0);
+}
+
+TEST_F(PlanGrasp, TellsWhichFileMayAllowAnotherArm) {
+  const std::string panda = HANDCRAFT_SOURCE_DIR "/models/robots/franka_panda/panda.toml";
+  EXPECT_THAT(Plan("--robot " + panda).err,
+              HasSubstr("any_arm = true in [robot] of the plan file (--config)"));
+  EXPECT_THAT(Plan("--attempt-distance-m -1").err,
+              HasSubstr("--attempt-distance-m: -1 given; it must be from 0 to 1000"));
 }
 
 TEST_F(PlanGrasp, RefusesAGraspThatIsFarFromEveryDemonstration) {

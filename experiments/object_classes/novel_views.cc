@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 the Handcraft authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "experiments/object_classes/novel_views.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "datasets/object_clouds.h"
+#include "lib/core/error.h"
+
+namespace handcraft::experiments {
+namespace {
+
+std::string CloudPath(const datasets::ViewSet& set, const datasets::ObjectView& view) {
+  return std::filesystem::weakly_canonical(set.root / view.cloud).string();
+}
+
+[[noreturn]] void RefuseKnown(const datasets::ViewSet& novel,
+                              const datasets::ObjectView& view,
+                              const std::string& reason) {
+  throw Error({.path = (novel.root / view.image).string(),
+               .reason = "this view is not novel: " + reason,
+               .remedy = "give views of objects that are none of the classes and that no view to "
+                         "train on shows"});
+}
+
+}  // namespace
+
+void RequireNovel(const datasets::ViewSet& novel, const datasets::ViewSet& known) {
+  std::set<std::string> classes;
+  std::set<std::string> instances;
+  std::set<std::string> clouds;
+  for (const datasets::ObjectView& view : known.items) {
+    classes.insert(view.object_class);
+    instances.insert(view.instance);
+    clouds.insert(CloudPath(known, view));
+  }
+  for (const datasets::ObjectView& view : novel.items) {
+    if (classes.contains(view.object_class)) {
+      RefuseKnown(novel, view, "its class '" + view.object_class + "' is one to tell");
+    }
+    if (instances.contains(view.instance)) {
+      RefuseKnown(novel, view, "the instance '" + view.instance + "' is trained on");
+    }
+    if (clouds.contains(CloudPath(novel, view))) {
+      RefuseKnown(novel, view, "its cloud is trained on");
+    }
+  }
+}
+
+svm::Calibration RejectNovelViews(const datasets::ViewSet& novel,
+                                  double max_false_rejection,
+                                  int num_threads,
+                                  ObjectClassTraining& training) {
+  if (training.margins.empty()) {
+    throw Error({.kind = Error::Kind::kUsage,
+                 .path = novel.root.string(),
+                 .reason = "novel views are told from known ones that were held out, and there are "
+                           "none",
+                 .remedy = "give --folds 2 or more, and with --add-class views of every class"});
+  }
+  const model_io::ObjectClassModel& model = training.model;
+  const datasets::CloudFeatures features =
+      datasets::DescribeViews(novel,
+                              model.descriptor,
+                              {.frame = model.descriptor.frame, .outlier_step = model.outlier_step},
+                              num_threads,
+                              training.svm.progress);
+  return svm::RejectNovel(
+      training.margins, features.Matrix(), max_false_rejection, num_threads, training.model.svm);
+}
+
+}  // namespace handcraft::experiments
