@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <opencv2/core.hpp>
@@ -105,7 +106,7 @@ cv::Mat PixelsOf(Image& image) { return {image.height(), image.width(), CV_8UC3,
 Image DrawTile(const ViewSet& views,
                std::size_t index,
                const std::vector<EndEffectorPose>& poses,
-               const cv::Size& size) {
+               int width_px) {
   const ObjectView& item = views.items[index];
   const LoadedView view = ReadView(views, index);
   const std::string path = (views.root / item.image).string();
@@ -119,14 +120,49 @@ Image DrawTile(const ViewSet& views,
   } catch (const Error& error) {
     throw Error({.path = (views.root / item.cloud).string(), .reason = error.details().reason});
   }
-  const cv::Rect part = AboutObject(view.object_mask, (views.root / item.object_mask).string());
-  Image picture = perception::DrawLabelMask(
-      view.image, Image(view.image.width(), view.image.height()));  // in colour
-  Image tile(size.width, size.height, 3);
-  cv::Mat tile_pixels = PixelsOf(tile);
-  cv::resize(PixelsOf(picture)(part), tile_pixels, size, 0.0, 0.0, cv::INTER_AREA);
-  DrawHands(tile, CameraOfTile(camera, part, size), poses);
-  return tile;
+  PicturePart part = PartAboutObject(
+      view.image, view.object_mask, (views.root / item.object_mask).string(), camera, width_px);
+  DrawHands(part.picture, part.camera, poses);
+  return std::move(part.picture);
+}
+
+// Where the camera sees a point, in sixteenths of a pixel.
+constexpr int kShift = 4;
+cv::Point SixteenthsOf(const PinholeCamera& camera, const Vector3f& p_in_base) {
+  const Eigen::Vector2f pixel = 16.0F * camera.Project(p_in_base);
+  return {cvRound(pixel.x()), cvRound(pixel.y())};
+}
+
+bool IsInFront(const PinholeCamera& camera, const Eigen::Isometry3f& base_from_grasp) {
+  const Eigen::Isometry3f camera_from_grasp = camera.base_from_camera.inverse() * base_from_grasp;
+  const auto is_behind = [&](const Stroke& stroke) {
+    return std::min((camera_from_grasp * stroke.from_m).z(),
+                    (camera_from_grasp * stroke.to_m).z()) < kLeastDepthM;
+  };
+  const std::array<Stroke, 4> strokes = Strokes();
+  return std::none_of(strokes.begin(), strokes.end(), is_behind);
+}
+
+void DrawHand(cv::Mat& pixels,
+              const PinholeCamera& camera,
+              const Eigen::Isometry3f& base_from_grasp,
+              int line_width_px) {
+  constexpr int kRimPx = 2;
+  const auto draw = [&](const Stroke& stroke, const cv::Scalar& colour, int width_px) {
+    cv::line(pixels,
+             SixteenthsOf(camera, base_from_grasp * stroke.from_m),
+             SixteenthsOf(camera, base_from_grasp * stroke.to_m),
+             colour,
+             width_px,
+             cv::LINE_AA,
+             kShift);
+  };
+  if (line_width_px > 1) {
+    for (const Stroke& stroke : Strokes()) draw(stroke, {0, 0, 0}, line_width_px + 2 * kRimPx);
+  }
+  for (const Stroke& stroke : Strokes()) {
+    draw(stroke, cv::Scalar(stroke.bgr[0], stroke.bgr[1], stroke.bgr[2]), line_width_px);
+  }
 }
 
 }  // namespace
@@ -144,35 +180,34 @@ void DemonstrationSheetOptions::Validate() const {
 
 void DrawHands(Image& picture,
                const PinholeCamera& camera,
-               std::span<const EndEffectorPose> poses) {
+               std::span<const EndEffectorPose> poses,
+               int line_width_px) {
   HC_CHECK(picture.channels() == 3 && !picture.empty(), picture.channels());
-  constexpr int kShift = 4;  // sixteenths of a pixel
+  HC_CHECK(line_width_px >= 1, line_width_px);
   cv::Mat pixels = PixelsOf(picture);
-  const Eigen::Isometry3f camera_from_base = camera.base_from_camera.inverse();
-  const auto to_pixel = [&](const Vector3f& p_in_base) {
-    const Eigen::Vector2f pixel = 16.0F * camera.Project(p_in_base);
-    return cv::Point(cvRound(pixel.x()), cvRound(pixel.y()));
-  };
   for (const EndEffectorPose& pose : poses) {
     const Eigen::Isometry3f base_from_grasp = pose.ToIsometry().cast<float>();
-    const auto is_behind = [&](const Stroke& stroke) {
-      const auto depth_m = [&](const Vector3f& p) {
-        return (camera_from_base * base_from_grasp * p).z();
-      };
-      return std::min(depth_m(stroke.from_m), depth_m(stroke.to_m)) < kLeastDepthM;
-    };
-    const std::array<Stroke, 4> strokes = Strokes();
-    if (std::any_of(strokes.begin(), strokes.end(), is_behind)) continue;
-    for (const Stroke& stroke : strokes) {
-      cv::line(pixels,
-               to_pixel(base_from_grasp * stroke.from_m),
-               to_pixel(base_from_grasp * stroke.to_m),
-               cv::Scalar(stroke.bgr[0], stroke.bgr[1], stroke.bgr[2]),
-               1,
-               cv::LINE_AA,
-               kShift);
+    if (IsInFront(camera, base_from_grasp)) {
+      DrawHand(pixels, camera, base_from_grasp, line_width_px);
     }
   }
+}
+
+PicturePart PartAboutObject(const Image& picture,
+                            const Image& object_mask,
+                            const std::string& mask_path,
+                            const PinholeCamera& camera,
+                            int width_px) {
+  const cv::Rect box = AboutObject(object_mask, mask_path);
+  const cv::Size size(width_px, width_px * 3 / 4);
+  Image colour =
+      perception::DrawLabelMask(picture, Image(picture.width(), picture.height()));  // in colour
+  PicturePart part{.picture = Image(size.width, size.height, 3),
+                   .camera = CameraOfTile(camera, box, size)};
+  cv::Mat pixels = PixelsOf(part.picture);
+  const int filter = box.width > size.width ? cv::INTER_AREA : cv::INTER_CUBIC;
+  cv::resize(PixelsOf(colour)(box), pixels, size, 0.0, 0.0, filter);
+  return part;
 }
 
 std::vector<SheetPicture> SheetPicturesOf(const DemonstrationSet& demonstrations,
@@ -180,7 +215,6 @@ std::vector<SheetPicture> SheetPicturesOf(const DemonstrationSet& demonstrations
                                           const DemonstrationSheetOptions& options) {
   options.Validate();
   const PosesOfViews poses = GroupPoses(demonstrations, options.poses_per_view);
-  const cv::Size tile(options.tile_width_px, options.tile_width_px * 3 / 4);
   std::vector<SheetPicture> pictures;
   for (std::size_t i = 0; i < views.items.size(); ++i) {
     const ObjectView& view = views.items[i];
@@ -189,8 +223,8 @@ std::vector<SheetPicture> SheetPicturesOf(const DemonstrationSet& demonstrations
     pictures.push_back({.row = view.object_class,
                         .split = view.split,
                         .caption = std::filesystem::path(view.image).stem().string(),
-                        .draw = [&views, i, shown = shown->second, tile] {
-                          return std::vector<Image>{DrawTile(views, i, shown, tile)};
+                        .draw = [&views, i, shown = shown->second, width = options.tile_width_px] {
+                          return std::vector<Image>{DrawTile(views, i, shown, width)};
                         }});
   }
   return pictures;

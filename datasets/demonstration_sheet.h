@@ -4,6 +4,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "datasets/contact_sheet.h"
@@ -25,10 +26,26 @@ struct DemonstrationSheetOptions {
 /// Draws a hand at each pose into a picture in colour, as the camera sees it: a stem along the
 /// approach axis (yellow), a bar along the closing axis, and two prongs from it to the grasp
 /// centre, 20 mm to either side: the fingers' (+x) orange, the thumb's blue. A pose that is not
-/// wholly in front of the camera is left out.
+/// wholly in front of the camera is left out. Lines that are wider than a pixel have a black rim,
+/// so that they show on any ground.
 void DrawHands(Image& picture,
                const synthetic::PinholeCamera& camera,
-               std::span<const EndEffectorPose> poses);
+               std::span<const EndEffectorPose> poses,
+               int line_width_px = 1);
+
+/// A part of a picture, scaled, and the camera that sees it so.
+struct PicturePart {
+  Image picture;  ///< in colour
+  synthetic::PinholeCamera camera;
+};
+
+/// The part with the object in its middle, about twice as large as that, four to three, scaled to
+/// this width. Throws Error, which names the mask's path, when the mask shows no object.
+[[nodiscard]] PicturePart PartAboutObject(const Image& picture,
+                                          const Image& object_mask,
+                                          const std::string& mask_path,
+                                          const synthetic::PinholeCamera& camera,
+                                          int width_px);
 
 /// What contact sheets show of a demonstration set: of each view with poses the part about its
 /// object, with hands at them. Where the camera stood is found from the view's cloud (FitCamera).

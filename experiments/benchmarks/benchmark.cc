@@ -17,19 +17,23 @@ std::span<const Benchmark> AllBenchmarks() {
       Benchmark{.name = "score_all500_vga",
                 .what = "probability of every pixel of a 640x480 picture, 500 features, one core",
                 .run = &BenchmarkScoreAll500Vga,
+                .target_ms = 12.0,
                 .reads_repetitions = true},
       Benchmark{.name = "score_edges54_vga",
                 .what = "probability of every pixel of a 640x480 picture, 54 features, one core",
                 .run = &BenchmarkScoreEdges54Vga,
+                .target_ms = 2.0,
                 .reads_repetitions = true},
       Benchmark{.name = "search_space_vga",
                 .what = "from a 640x480 cloud and picture to ranked grasp points on the object's "
                         "edges, 180 features, one core",
                 .run = &BenchmarkSearchSpaceVga,
+                .target_ms = 12.0,
                 .reads_repetitions = true},
       Benchmark{.name = "load_model",
                 .what = "load a 500-feature model: checksum, verification, self-test",
                 .run = &BenchmarkLoadModel,
+                .target_ms = 1.0,
                 .reads_repetitions = true},
       Benchmark{.name = "train_irls_154188x500",
                 .what = "logistic regression on 154188 samples with 500 pixel features in memory, "
@@ -40,20 +44,24 @@ std::span<const Benchmark> AllBenchmarks() {
                 .what = "principal components of 154188 samples with 500 pixel features in memory, "
                         "two threads",
                 .run = &BenchmarkPca,
+                .target_ms = 2000.0,
                 .reads_dataset = true},
       Benchmark{.name = "inverse_kinematics",
                 .what = "every solution of a 4-degree sweep for a pose of a 7-joint Barrett WAM, "
                         "100000 poses, one core",
-                .run = &BenchmarkInverseKinematics},
+                .run = &BenchmarkInverseKinematics,
+                .target_ms = 0.2},
       Benchmark{.name = "svm_leave_one_out_216x7500",
                 .what =
                     "support vector machines of 6 classes, one against one, for each of the 216 "
                     "clouds left out, 7500 features in memory, one core",
-                .run = &BenchmarkSvmLeaveOneOut},
+                .run = &BenchmarkSvmLeaveOneOut,
+                .target_ms = 3000.0},
       Benchmark{.name = "classify_cloud_grid50",
                 .what = "class of an object of 200x200 px in a 640x480 cloud: 7500 features, 15 "
                         "pairs over 216 support vectors, one core",
                 .run = &BenchmarkClassifyCloud,
+                .target_ms = 0.7,
                 .reads_repetitions = true},
       Benchmark{.name = "rotation_layer",
                 .what = "plane, moments and the most similar of 36 views, 640x480 cloud with an "

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <numbers>
@@ -161,17 +163,39 @@ std::string PlanText(const GraspPlan& plan, const GraspPlanner& planner) {
          joints.ToText() + '\n' + stages.ToText();
 }
 
-// The picture with the grasp point and a hand at the planned pose.
-Image Overlay(const GraspScene& scene, const GraspPlan& plan) {
-  const perception::MarkedPoint mark{.u_px = plan.u_px, .v_px = plan.v_px, .probability = 1.0F};
-  Image picture = perception::DrawGraspPoints(
-      scene.image, FloatImage(scene.image.width(), scene.image.height()), {&mark, 1});
+// The grasp point at this pixel and a hand at the planned pose, on a picture of this camera.
+Image Overlay(const Image& picture,
+              const synthetic::PinholeCamera& camera,
+              const GraspPlan& plan,
+              const perception::MarkedPoint& mark) {
+  Image drawn = perception::DrawGraspPoints(picture, {}, {&mark, 1});
   const auto& p = plan.base_from_grasp.translation_m;
   const auto q = robot::QuaternionFromRotation(plan.base_from_grasp.rotation);
   const datasets::EndEffectorPose pose{.position_m = {p[0], p[1], p[2]},
                                        .rotation = Eigen::Quaterniond(q[3], q[0], q[1], q[2])};
-  datasets::DrawHands(picture, datasets::FitCamera(scene.cloud), {&pose, 1});
-  return picture;
+  constexpr int kLinesPerSide = 200;
+  const int side_px = std::max(picture.width(), picture.height());
+  datasets::DrawHands(drawn, camera, {&pose, 1}, std::max(2, side_px / kLinesPerSide));
+  return drawn;
+}
+
+// The object enlarged.
+Image CloseUp(const GraspScene& scene,
+              const std::string& mask_path,
+              const synthetic::PinholeCamera& camera,
+              const GraspPlan& plan) {
+  const datasets::PicturePart part =
+      datasets::PartAboutObject(scene.image, scene.object_mask, mask_path, camera, 640);
+  const Eigen::Vector2f pixel =
+      part.camera.Project(Eigen::Vector3f(static_cast<float>(plan.point_m[0]),
+                                          static_cast<float>(plan.point_m[1]),
+                                          static_cast<float>(plan.point_m[2])));
+  return Overlay(part.picture,
+                 part.camera,
+                 plan,
+                 {.u_px = static_cast<int>(std::lround(pixel.x())),
+                  .v_px = static_cast<int>(std::lround(pixel.y())),
+                  .probability = 1.0F});
 }
 
 // A plan that the robot must not carry out.
@@ -204,7 +228,15 @@ void RunPlanGrasp(const PlanGraspOptions& options, const Console& console) {
   if (!options.out.empty()) {
     OutputFolder folder(options.out);
     WriteFileAtomically(folder.Claim("plan.json"), experiments::JsonText(PlanJson(plan, planner)));
-    perception::WritePng(folder.Claim("overlay.png"), Overlay(scene, plan));
+    const synthetic::PinholeCamera camera = datasets::FitCamera(scene.cloud);
+    perception::WritePng(folder.Claim("overlay.png"),
+                         Overlay(scene.image,
+                                 camera,
+                                 plan,
+                                 {.u_px = plan.u_px, .v_px = plan.v_px, .probability = 1.0F}));
+    perception::WritePng(
+        folder.Claim("close_up.png"),
+        CloseUp(scene, options.mask.empty() ? options.image : options.mask, camera, plan));
     folder.Keep();
   }
   if (options.json) console.Print(PlanJson(plan, planner));
@@ -244,7 +276,7 @@ void AddPlanGrasp(CLI::App& parent, const Console& console) {
                    "Try none after the first that is farther from the grasp point; 0: any [0]")
       ->transform(AnyNumber<double>())
       ->type_name("NUMBER");
-  command->add_option("--out", options->out, "Folder for plan.json and overlay.png");
+  command->add_option("--out", options->out, "Folder for plan.json, overlay.png and close_up.png");
   AddJsonFlag(*command, options->json);
   SetExample(*command,
              "handcraft plan grasp --config plan.toml --image image.png --cloud cloud.pcd "
