@@ -73,19 +73,17 @@ PosesOfViews GroupPoses(const DemonstrationSet& set, int poses_per_view) {
   return poses;
 }
 
-// The part of the picture with the object in its middle, about twice as large, 4 to 3.
-cv::Rect AboutObject(const Image& mask, const std::string& path) {
-  const std::optional<perception::PixelBox> object = FindBox(mask, kObject);
-  if (!object) throw Error({.path = path, .reason = "the mask shows no object"});
-  const int wanted = std::max(2 * object->height, 3 * object->width / 2);
-  const int limit = std::min(mask.height(), mask.width() * 3 / 4);
+// A box twice as large about the same middle, 4 to 3, in a picture of this size.
+cv::Rect TwiceAsLarge(const perception::PixelBox& box, int picture_width, int picture_height) {
+  const int wanted = std::max(2 * box.height, 3 * box.width / 2);
+  const int limit = std::min(picture_height, picture_width * 3 / 4);
   const int height = std::max(std::min(wanted, limit), 1);
   const int width = height * 4 / 3;
   const auto begin = [](int middle, int size, int end) {
     return std::clamp(middle - size / 2, 0, end - size);
   };
-  return {begin(object->u_px + object->width / 2, width, mask.width()),
-          begin(object->v_px + object->height / 2, height, mask.height()),
+  return {begin(box.u_px + box.width / 2, width, picture_width),
+          begin(box.v_px + box.height / 2, height, picture_height),
           width,
           height};
 }
@@ -120,8 +118,12 @@ Image DrawTile(const ViewSet& views,
   } catch (const Error& error) {
     throw Error({.path = (views.root / item.cloud).string(), .reason = error.details().reason});
   }
-  PicturePart part = PartAboutObject(
-      view.image, view.object_mask, (views.root / item.object_mask).string(), camera, width_px);
+  const std::optional<perception::PixelBox> object = FindBox(view.object_mask, kObject);
+  if (!object) {
+    throw Error(
+        {.path = (views.root / item.object_mask).string(), .reason = "the mask shows no object"});
+  }
+  PicturePart part = PartAbout(view.image, *object, camera, width_px);
   DrawHands(part.picture, part.camera, poses);
   return std::move(part.picture);
 }
@@ -193,20 +195,19 @@ void DrawHands(Image& picture,
   }
 }
 
-PicturePart PartAboutObject(const Image& picture,
-                            const Image& object_mask,
-                            const std::string& mask_path,
-                            const PinholeCamera& camera,
-                            int width_px) {
-  const cv::Rect box = AboutObject(object_mask, mask_path);
+PicturePart PartAbout(const Image& picture,
+                      const perception::PixelBox& box,
+                      const PinholeCamera& camera,
+                      int width_px) {
+  const cv::Rect part_box = TwiceAsLarge(box, picture.width(), picture.height());
   const cv::Size size(width_px, width_px * 3 / 4);
   Image colour =
       perception::DrawLabelMask(picture, Image(picture.width(), picture.height()));  // in colour
   PicturePart part{.picture = Image(size.width, size.height, 3),
-                   .camera = CameraOfTile(camera, box, size)};
+                   .camera = CameraOfTile(camera, part_box, size)};
   cv::Mat pixels = PixelsOf(part.picture);
-  const int filter = box.width > size.width ? cv::INTER_AREA : cv::INTER_CUBIC;
-  cv::resize(PixelsOf(colour)(box), pixels, size, 0.0, 0.0, filter);
+  const int filter = part_box.width > size.width ? cv::INTER_AREA : cv::INTER_CUBIC;
+  cv::resize(PixelsOf(colour)(part_box), pixels, size, 0.0, 0.0, filter);
   return part;
 }
 

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
 #include "datasets/contact_sheet.h"
@@ -12,6 +11,7 @@
 #include "datasets/formats/view_set.h"
 #include "datasets/synthetic/camera.h"
 #include "lib/core/image.h"
+#include "lib/perception/search_region.h"
 
 namespace handcraft::datasets {
 
@@ -39,13 +39,12 @@ struct PicturePart {
   synthetic::PinholeCamera camera;
 };
 
-/// The part with the object in its middle, about twice as large as that, four to three, scaled to
-/// this width. Throws Error, which names the mask's path, when the mask shows no object.
-[[nodiscard]] PicturePart PartAboutObject(const Image& picture,
-                                          const Image& object_mask,
-                                          const std::string& mask_path,
-                                          const synthetic::PinholeCamera& camera,
-                                          int width_px);
+/// The part with the box in its middle, about twice as large as that, four to three, moved into the
+/// picture and scaled to this width.
+[[nodiscard]] PicturePart PartAbout(const Image& picture,
+                                    const perception::PixelBox& box,
+                                    const synthetic::PinholeCamera& camera,
+                                    int width_px);
 
 /// What contact sheets show of a demonstration set: of each view with poses the part about its
 /// object, with hands at them. Where the camera stood is found from the view's cloud (FitCamera).

@@ -85,14 +85,11 @@ TEST(DrawHands, GivesWideLinesABlackRim) {
   EXPECT_LT(darkest(3), 20);
 }
 
-TEST(PartAboutObject, SeesTheSamePointsLarger) {
-  Image mask(80, 60);
-  for (int v = 20; v < 30; ++v) {
-    for (int u = 50; u < 60; ++u) mask.At(u, v) = 255;
-  }
+TEST(PartAbout, SeesTheSamePointsLarger) {
   Image picture(80, 60);
   picture.At(55, 25) = 255;
-  const PicturePart part = PartAboutObject(picture, mask, "mask.png", FromAbove(), 260);
+  const PicturePart part =
+      PartAbout(picture, {.u_px = 50, .v_px = 20, .width = 10, .height = 10}, FromAbove(), 260);
   EXPECT_EQ(part.picture.channels(), 3);
   EXPECT_EQ(part.picture.width(), 260);
   EXPECT_EQ(part.picture.height(), 195);

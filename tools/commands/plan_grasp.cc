@@ -179,17 +179,25 @@ Image Overlay(const Image& picture,
   return drawn;
 }
 
-// The object enlarged.
+// The surroundings of the grasp point enlarged: about 0.24 m of them, into which a hand fits.
 Image CloseUp(const GraspScene& scene,
-              const std::string& mask_path,
               const synthetic::PinholeCamera& camera,
               const GraspPlan& plan) {
-  const datasets::PicturePart part =
-      datasets::PartAboutObject(scene.image, scene.object_mask, mask_path, camera, 640);
-  const Eigen::Vector2f pixel =
-      part.camera.Project(Eigen::Vector3f(static_cast<float>(plan.point_m[0]),
-                                          static_cast<float>(plan.point_m[1]),
-                                          static_cast<float>(plan.point_m[2])));
+  constexpr float kHalfSideM = 0.06F;
+  constexpr int kWidthPx = 640;
+  const Eigen::Vector3f p_in_base(static_cast<float>(plan.point_m[0]),
+                                  static_cast<float>(plan.point_m[1]),
+                                  static_cast<float>(plan.point_m[2]));
+  const float depth_m = (camera.base_from_camera.inverse() * p_in_base).z();
+  const int half_px = std::max(1, static_cast<int>(camera.focal_px * kHalfSideM / depth_m));
+  const datasets::PicturePart part = datasets::PartAbout(scene.image,
+                                                         {.u_px = plan.u_px - half_px,
+                                                          .v_px = plan.v_px - half_px,
+                                                          .width = 2 * half_px,
+                                                          .height = 2 * half_px},
+                                                         camera,
+                                                         kWidthPx);
+  const Eigen::Vector2f pixel = part.camera.Project(p_in_base);
   return Overlay(part.picture,
                  part.camera,
                  plan,
@@ -234,9 +242,7 @@ void RunPlanGrasp(const PlanGraspOptions& options, const Console& console) {
                                  camera,
                                  plan,
                                  {.u_px = plan.u_px, .v_px = plan.v_px, .probability = 1.0F}));
-    perception::WritePng(
-        folder.Claim("close_up.png"),
-        CloseUp(scene, options.mask.empty() ? options.image : options.mask, camera, plan));
+    perception::WritePng(folder.Claim("close_up.png"), CloseUp(scene, camera, plan));
     folder.Keep();
   }
   if (options.json) console.Print(PlanJson(plan, planner));
