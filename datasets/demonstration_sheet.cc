@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <opencv2/core.hpp>
@@ -86,19 +87,17 @@ PosesOfViews GroupPoses(const Set& set, int poses_per_view) {
   return poses;
 }
 
-// The part of the picture with the object in its middle, about twice as large, 4 to 3.
-cv::Rect AboutObject(const Image& mask, const std::string& path) {
-  const std::optional<perception::PixelBox> object = FindBox(mask, kObject);
-  if (!object) throw Error({.path = path, .reason = "the mask shows no object"});
-  const int wanted = std::max(2 * object->height, 3 * object->width / 2);
-  const int limit = std::min(mask.height(), mask.width() * 3 / 4);
+// A box twice as large about the same middle, 4 to 3, in a picture of this size.
+cv::Rect TwiceAsLarge(const perception::PixelBox& box, int picture_width, int picture_height) {
+  const int wanted = std::max(2 * box.height, 3 * box.width / 2);
+  const int limit = std::min(picture_height, picture_width * 3 / 4);
   const int height = std::max(std::min(wanted, limit), 1);
   const int width = height * 4 / 3;
   const auto begin = [](int middle, int size, int end) {
     return std::clamp(middle - size / 2, 0, end - size);
   };
-  return {begin(object->u_px + object->width / 2, width, mask.width()),
-          begin(object->v_px + object->height / 2, height, mask.height()),
+  return {begin(box.u_px + box.width / 2, width, picture_width),
+          begin(box.v_px + box.height / 2, height, picture_height),
           width,
           height};
 }
@@ -116,10 +115,7 @@ PinholeCamera CameraOfTile(PinholeCamera camera, const cv::Rect& part, const cv:
 
 cv::Mat PixelsOf(Image& image) { return {image.height(), image.width(), CV_8UC3, image.Row(0)}; }
 
-Image DrawTile(const ViewSet& views,
-               std::size_t index,
-               const ShownPoses& poses,
-               const cv::Size& size) {
+Image DrawTile(const ViewSet& views, std::size_t index, const ShownPoses& poses, int width_px) {
   const ObjectView& item = views.items[index];
   const LoadedView view = ReadView(views, index);
   const std::string path = (views.root / item.image).string();
@@ -133,16 +129,55 @@ Image DrawTile(const ViewSet& views,
   } catch (const Error& error) {
     throw Error({.path = (views.root / item.cloud).string(), .reason = error.details().reason});
   }
-  const cv::Rect part = AboutObject(view.object_mask, (views.root / item.object_mask).string());
-  Image picture = perception::DrawLabelMask(
-      view.image, Image(view.image.width(), view.image.height()));  // in colour
-  Image tile(size.width, size.height, 3);
-  cv::Mat tile_pixels = PixelsOf(tile);
-  cv::resize(PixelsOf(picture)(part), tile_pixels, size, 0.0, 0.0, cv::INTER_AREA);
-  const PinholeCamera camera_of_tile = CameraOfTile(camera, part, size);
-  DrawHands(tile, camera_of_tile, poses.right, Hand::kRight);
-  DrawHands(tile, camera_of_tile, poses.left, Hand::kLeft);
-  return tile;
+  const std::optional<perception::PixelBox> object = FindBox(view.object_mask, kObject);
+  if (!object) {
+    throw Error(
+        {.path = (views.root / item.object_mask).string(), .reason = "the mask shows no object"});
+  }
+  PicturePart part = PartAbout(view.image, *object, camera, width_px);
+  DrawHands(part.picture, part.camera, poses.right, Hand::kRight);
+  DrawHands(part.picture, part.camera, poses.left, Hand::kLeft);
+  return std::move(part.picture);
+}
+
+// Where the camera sees a point, in sixteenths of a pixel.
+constexpr int kShift = 4;
+cv::Point SixteenthsOf(const PinholeCamera& camera, const Vector3f& p_in_base) {
+  const Eigen::Vector2f pixel = 16.0F * camera.Project(p_in_base);
+  return {cvRound(pixel.x()), cvRound(pixel.y())};
+}
+
+bool IsInFront(const PinholeCamera& camera, const Eigen::Isometry3f& base_from_grasp, Hand hand) {
+  const Eigen::Isometry3f camera_from_grasp = camera.base_from_camera.inverse() * base_from_grasp;
+  const auto is_behind = [&](const Stroke& stroke) {
+    return std::min((camera_from_grasp * stroke.from_m).z(),
+                    (camera_from_grasp * stroke.to_m).z()) < kLeastDepthM;
+  };
+  const std::array<Stroke, 4> strokes = Strokes(hand);
+  return std::none_of(strokes.begin(), strokes.end(), is_behind);
+}
+
+void DrawHand(cv::Mat& pixels,
+              const PinholeCamera& camera,
+              const Eigen::Isometry3f& base_from_grasp,
+              Hand hand,
+              int line_width_px) {
+  constexpr int kRimPx = 2;
+  const auto draw = [&](const Stroke& stroke, const cv::Scalar& colour, int width_px) {
+    cv::line(pixels,
+             SixteenthsOf(camera, base_from_grasp * stroke.from_m),
+             SixteenthsOf(camera, base_from_grasp * stroke.to_m),
+             colour,
+             width_px,
+             cv::LINE_AA,
+             kShift);
+  };
+  if (line_width_px > 1) {
+    for (const Stroke& stroke : Strokes(hand)) draw(stroke, {0, 0, 0}, line_width_px + 2 * kRimPx);
+  }
+  for (const Stroke& stroke : Strokes(hand)) {
+    draw(stroke, cv::Scalar(stroke.bgr[0], stroke.bgr[1], stroke.bgr[2]), line_width_px);
+  }
 }
 
 // `Set` has items of poses or holds, each of a view.
@@ -152,7 +187,6 @@ std::vector<SheetPicture> SheetPicturesBy(const Set& set,
                                           const DemonstrationSheetOptions& options) {
   options.Validate();
   const PosesOfViews poses = GroupPoses(set, options.poses_per_view);
-  const cv::Size tile(options.tile_width_px, options.tile_width_px * 3 / 4);
   std::vector<SheetPicture> pictures;
   for (std::size_t i = 0; i < views.items.size(); ++i) {
     const ObjectView& view = views.items[i];
@@ -161,8 +195,8 @@ std::vector<SheetPicture> SheetPicturesBy(const Set& set,
     pictures.push_back({.row = view.object_class,
                         .split = view.split,
                         .caption = std::filesystem::path(view.image).stem().string(),
-                        .draw = [&views, i, shown = shown->second, tile] {
-                          return std::vector<Image>{DrawTile(views, i, shown, tile)};
+                        .draw = [&views, i, shown = shown->second, width = options.tile_width_px] {
+                          return std::vector<Image>{DrawTile(views, i, shown, width)};
                         }});
   }
   return pictures;
@@ -184,35 +218,33 @@ void DemonstrationSheetOptions::Validate() const {
 void DrawHands(Image& picture,
                const PinholeCamera& camera,
                std::span<const EndEffectorPose> poses,
-               Hand hand) {
+               Hand hand,
+               int line_width_px) {
   HC_CHECK(picture.channels() == 3 && !picture.empty(), picture.channels());
-  constexpr int kShift = 4;  // sixteenths of a pixel
+  HC_CHECK(line_width_px >= 1, line_width_px);
   cv::Mat pixels = PixelsOf(picture);
-  const Eigen::Isometry3f camera_from_base = camera.base_from_camera.inverse();
-  const auto to_pixel = [&](const Vector3f& p_in_base) {
-    const Eigen::Vector2f pixel = 16.0F * camera.Project(p_in_base);
-    return cv::Point(cvRound(pixel.x()), cvRound(pixel.y()));
-  };
   for (const EndEffectorPose& pose : poses) {
     const Eigen::Isometry3f base_from_grasp = pose.ToIsometry().cast<float>();
-    const auto is_behind = [&](const Stroke& stroke) {
-      const auto depth_m = [&](const Vector3f& p) {
-        return (camera_from_base * base_from_grasp * p).z();
-      };
-      return std::min(depth_m(stroke.from_m), depth_m(stroke.to_m)) < kLeastDepthM;
-    };
-    const std::array<Stroke, 4> strokes = Strokes(hand);
-    if (std::any_of(strokes.begin(), strokes.end(), is_behind)) continue;
-    for (const Stroke& stroke : strokes) {
-      cv::line(pixels,
-               to_pixel(base_from_grasp * stroke.from_m),
-               to_pixel(base_from_grasp * stroke.to_m),
-               cv::Scalar(stroke.bgr[0], stroke.bgr[1], stroke.bgr[2]),
-               1,
-               cv::LINE_AA,
-               kShift);
+    if (IsInFront(camera, base_from_grasp, hand)) {
+      DrawHand(pixels, camera, base_from_grasp, hand, line_width_px);
     }
   }
+}
+
+PicturePart PartAbout(const Image& picture,
+                      const perception::PixelBox& box,
+                      const PinholeCamera& camera,
+                      int width_px) {
+  const cv::Rect part_box = TwiceAsLarge(box, picture.width(), picture.height());
+  const cv::Size size(width_px, width_px * 3 / 4);
+  Image colour =
+      perception::DrawLabelMask(picture, Image(picture.width(), picture.height()));  // in colour
+  PicturePart part{.picture = Image(size.width, size.height, 3),
+                   .camera = CameraOfTile(camera, part_box, size)};
+  cv::Mat pixels = PixelsOf(part.picture);
+  const int filter = part_box.width > size.width ? cv::INTER_AREA : cv::INTER_CUBIC;
+  cv::resize(PixelsOf(colour)(part_box), pixels, size, 0.0, 0.0, filter);
+  return part;
 }
 
 std::vector<SheetPicture> SheetPicturesOf(const DemonstrationSet& demonstrations,

@@ -12,6 +12,7 @@
 #include "datasets/formats/view_set.h"
 #include "datasets/synthetic/camera.h"
 #include "lib/core/image.h"
+#include "lib/perception/search_region.h"
 
 namespace handcraft::datasets {
 
@@ -33,11 +34,26 @@ enum class Hand {
 /// Draws a hand at each pose into a picture in colour, as the camera sees it: a stem along the
 /// approach axis and a bar along the closing axis in the colour of the hand, and two prongs from it
 /// to the grasp centre, 20 mm to either side: the fingers' (+x) orange, the thumb's blue. A pose
-/// that is not wholly in front of the camera is left out.
+/// that is not wholly in front of the camera is left out. Lines that are wider than a pixel have a
+/// black rim, so that they show on any ground.
 void DrawHands(Image& picture,
                const synthetic::PinholeCamera& camera,
                std::span<const EndEffectorPose> poses,
-               Hand hand = Hand::kRight);
+               Hand hand = Hand::kRight,
+               int line_width_px = 1);
+
+/// A part of a picture, scaled, and the camera that sees it so.
+struct PicturePart {
+  Image picture;  ///< in colour
+  synthetic::PinholeCamera camera;
+};
+
+/// The part with the box in its middle, about twice as large as that, four to three, moved into the
+/// picture and scaled to this width.
+[[nodiscard]] PicturePart PartAbout(const Image& picture,
+                                    const perception::PixelBox& box,
+                                    const synthetic::PinholeCamera& camera,
+                                    int width_px);
 
 /// What contact sheets show of a demonstration set: of each view with poses the part about its
 /// object, with hands at them. Where the camera stood is found from the view's cloud (FitCamera).

@@ -44,9 +44,18 @@ p { margin: .3rem 0 .9rem; max-width: 46rem; }
 table { border-collapse: collapse; width: 100%; font-size: .92rem; font-variant-numeric: tabular-nums; }
 th { font-weight: 600; text-align: left; color: var(--quiet); font-size: .82rem; vertical-align: bottom; }
 th, td { padding: .5rem .4rem; border-bottom: 1px solid var(--line); white-space: nowrap; }
+thead th { white-space: normal; }
+.scroll th:first-child { position: sticky; left: 0; background: var(--paper); }
+.card .scroll th:first-child { background: var(--card); }
+.dense { width: auto; }
+.dense th, .dense td { padding: .15rem .28rem; font-size: .75rem; }
+.dense td { min-width: 1.5rem; }
+.dense tbody th { white-space: nowrap; }
+.upright thead th.number { text-align: center; }
+.upright thead span { writing-mode: vertical-rl; transform: rotate(180deg); white-space: nowrap; }
 td { vertical-align: top; }
 td.number, th.number { text-align: right; }
-td .range { display: block; color: var(--quiet); font-size: .82rem; }
+td .range { display: block; color: var(--quiet); font-size: .75rem; }
 tbody th { color: var(--ink); font-size: .92rem; vertical-align: top; overflow-wrap: break-word; white-space: normal; }
 tr.total th, tr.total td { font-weight: 650; border-top: 2px solid var(--line); }
 tr.total td .range { font-weight: 400; }

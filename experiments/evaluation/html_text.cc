@@ -38,6 +38,15 @@ std::string EscapeHtml(std::string_view text) {
   return escaped;
 }
 
+std::string BreakableHtml(std::string_view text) {
+  std::string broken;
+  for (const char c : EscapeHtml(text)) {  // no entity has a _ or a comma
+    broken += c;
+    if (c == '_' || c == ',') broken += "<wbr>";
+  }
+  return broken;
+}
+
 std::string Base64(std::span<const std::uint8_t> bytes) {
   constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

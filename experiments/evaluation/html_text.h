@@ -16,6 +16,9 @@ namespace handcraft::experiments {
 /// HTML and in SVG. Everything that comes from data goes through here.
 [[nodiscard]] std::string EscapeHtml(std::string_view text);
 
+/// The same, and lines may break after each _ and comma, as names of cells need it.
+[[nodiscard]] std::string BreakableHtml(std::string_view text);
+
 /// Base 64 with padding (RFC 4648, section 4).
 [[nodiscard]] std::string Base64(std::span<const std::uint8_t> bytes);
 

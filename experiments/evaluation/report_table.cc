@@ -32,6 +32,15 @@ std::string CsvCell(const std::string& text) {
   return quoted + "\"";
 }
 
+// Of "61.7 [55.4, 67.6] of 240" what follows the value stands below it, which keeps columns narrow.
+std::string WithRangeBelow(const std::string& text) {
+  const std::size_t range = text.find(" [");
+  if (range == std::string::npos || range == 0) return EscapeHtml(text);
+  return fmt::format("{}<span class=\"range\">{}</span>",
+                     EscapeHtml(text.substr(0, range)),
+                     EscapeHtml(text.substr(range + 1)));
+}
+
 }  // namespace
 
 std::string CsvText(const ReportTable& table) {
@@ -55,15 +64,15 @@ std::string MarkdownText(const ReportTable& table) {
 std::string HtmlText(const ReportTable& table) {
   std::string text = "<div class=\"scroll\"><table>\n<thead><tr>";
   for (std::size_t i = 0; i < table.head.size(); ++i) {
-    text +=
-        fmt::format("<th{}>{}</th>", i > 0 ? " class=\"number\"" : "", EscapeHtml(table.head[i]));
+    text += fmt::format(
+        "<th{}>{}</th>", i > 0 ? " class=\"number\"" : "", BreakableHtml(table.head[i]));
   }
   text += "</tr></thead>\n<tbody>\n";
   for (const auto& row : table.rows) {
     text += "<tr>";
     for (std::size_t i = 0; i < row.size(); ++i) {
-      text += i == 0 ? fmt::format("<th>{}</th>", EscapeHtml(row[i]))
-                     : fmt::format("<td class=\"number\">{}</td>", EscapeHtml(row[i]));
+      text += i == 0 ? fmt::format("<th>{}</th>", BreakableHtml(row[i]))
+                     : fmt::format("<td class=\"number\">{}</td>", WithRangeBelow(row[i]));
     }
     text += "</tr>\n";
   }

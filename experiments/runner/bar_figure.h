@@ -13,7 +13,8 @@
 
 namespace handcraft::experiments {
 
-/// Groups of bars with intervals, a bar a series in each group.
+/// Groups of bars with intervals, a bar a series in each group, and across a group a dashed line at
+/// the value that was aimed at.
 struct BarFigure {
   struct Series {
     std::string name;
@@ -24,10 +25,14 @@ struct BarFigure {
   std::string y_label;
   std::vector<std::string> groups;
   std::vector<Series> series;
+  std::string x_label = {};
+  std::vector<double> targets = {};  ///< one a group, NaN: none; empty: none at all
+  std::string target_name = {};      ///< "Table 4.2"
+  bool log_y = false;  ///< bars grow from the foot of the axis; all values are above 0
 };
 
 /// The figure as a program for gnuplot that writes NAME.svg and NAME.pdf beside the program. The
-/// axis holds 0 and every interval. Same figure, same text.
+/// axis holds every interval and target, and 0 unless it is logarithmic. Same figure, same text.
 [[nodiscard]] std::string GnuplotProgram(const BarFigure& figure, const std::string& name);
 
 /// The same, drawn by ourselves.

@@ -19,6 +19,10 @@ namespace handcraft::experiments {
 /// The colour of a series as a quoted text; the seventh has that of the first.
 [[nodiscard]] std::string GnuplotColour(std::size_t series);
 
+/// How a line is drawn at a value that was aimed at.
+inline constexpr const char* kGnuplotTargetLine =
+    "linewidth 1.5 dashtype 2 linecolor rgb \"#23262b\"";
+
 /// Commands that draw by `plot_command` into NAME.svg and NAME.pdf beside the program.
 [[nodiscard]] std::string GnuplotOutputs(const std::string& plot_command, const std::string& name);
 

@@ -30,6 +30,7 @@ Extent ExtentOf(const LineFigure& figure) {
       if (!std::isnan(point.y)) extent.y = std::max(extent.y, point.y);
     }
   }
+  extent.y = std::max(extent.y, figure.target.value_or(0.0));
   return {extent.x > 0.0 ? kHeadroom * extent.x : 1.0, extent.y > 0.0 ? kHeadroom * extent.y : 1.0};
 }
 
@@ -72,7 +73,20 @@ std::string PlotCommand(const LineFigure& figure) {
         GnuplotText(figure.series[i].name),
         NamesOfPoints(figure.series[i], i));
   }
+  if (figure.target) {
+    text += fmt::format("{}keyentry with lines {} title {}",
+                        text.back() == ' ' ? "" : ", ",
+                        kGnuplotTargetLine,
+                        GnuplotText(figure.target_name));
+  }
   return text + "\n";
+}
+
+std::string TargetArrow(const LineFigure& figure) {
+  if (!figure.target) return {};
+  return fmt::format("set arrow from graph 0,first {0} to graph 1,first {0} nohead front {1}\n",
+                     GnuplotNumber(*figure.target),
+                     kGnuplotTargetLine);
 }
 
 }  // namespace
@@ -90,7 +104,7 @@ std::string GnuplotProgram(const LineFigure& figure, const std::string& name) {
              GnuplotText(figure.y_label),
              GnuplotNumber(extent.x),
              GnuplotNumber(extent.y)) +
-         GnuplotOutputs(PlotCommand(figure), name);
+         TargetArrow(figure) + GnuplotOutputs(PlotCommand(figure), name);
 }
 
 SvgFigure PlotLines(const LineFigure& figure) {
@@ -116,6 +130,13 @@ SvgFigure PlotLines(const LineFigure& figure) {
     plot.AddLine(line, tone);
     const double row = 0.95 - 0.06 * static_cast<double>(i);
     plot.AddText({0.01 * extent.x, row * extent.y}, figure.series[i].name, tone);
+  }
+  if (figure.target) {
+    plot.AddLine(std::array{PlotPoint{0.0, *figure.target}, PlotPoint{extent.x, *figure.target}},
+                 Tone::kInk,
+                 Stroke::kDashed);
+    plot.AddText(
+        {extent.x, *figure.target + 0.01 * extent.y}, figure.target_name, Tone::kInk, Anchor::kEnd);
   }
   return plot;
 }

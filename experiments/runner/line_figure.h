@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,7 @@
 
 namespace handcraft::experiments {
 
-/// Lines through named points, both axes from 0.
+/// Lines through named points, both axes from 0, and a dashed line across at a value aimed at.
 struct LineFigure {
   struct Point {
     double x = 0.0;  ///< ≥ 0
@@ -25,6 +26,8 @@ struct LineFigure {
   std::string x_label;
   std::string y_label;
   std::vector<Series> series;
+  std::optional<double> target = {};
+  std::string target_name = {};  ///< "Table 4.2"
 };
 
 /// The figure as a program for gnuplot that writes NAME.svg and NAME.pdf beside the program. Same

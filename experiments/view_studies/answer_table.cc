@@ -3,6 +3,7 @@
 
 #include "experiments/view_studies/answer_table.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -23,13 +24,28 @@ std::string CountCell(std::size_t count, std::size_t row_total, bool is_right) {
       count);
 }
 
+// Of the table: many columns are narrow, and have their names upright where these are long or many.
+std::string ClassesOf(const AnswerCounts& answers) {
+  constexpr std::size_t kMostWideColumns = 8;
+  constexpr std::size_t kMostLevelNames = 24;
+  constexpr std::size_t kShortName = 6;
+  if (answers.columns.size() <= kMostWideColumns) return "";
+  const bool is_upright =
+      answers.columns.size() > kMostLevelNames ||
+      std::any_of(answers.columns.begin(), answers.columns.end(), [](const std::string& name) {
+        return name.size() > kShortName;
+      });
+  return is_upright ? " class=\"dense upright\"" : " class=\"dense\"";
+}
+
 }  // namespace
 
 std::string AnswerTable(const AnswerCounts& answers) {
-  std::string text = fmt::format("<div class=\"scroll\"><table>\n<thead><tr><th>{}</th>",
+  std::string text = fmt::format("<div class=\"scroll\"><table{}>\n<thead><tr><th>{}</th>",
+                                 ClassesOf(answers),
                                  EscapeHtml(answers.row_title));
   for (const std::string& column : answers.columns) {
-    text += fmt::format("<th class=\"number\">{}</th>", EscapeHtml(column));
+    text += fmt::format("<th class=\"number\"><span>{}</span></th>", BreakableHtml(column));
   }
   text += "</tr></thead>\n<tbody>\n";
   for (std::size_t row = 0; row < answers.rows.size(); ++row) {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "experiments/evaluation/report_table.h"
-#include "experiments/runner/figure_files.h"
 #include "experiments/view_studies/view_study_run.h"
 
 namespace handcraft::experiments {
@@ -19,10 +18,5 @@ namespace handcraft::experiments {
 
 /// For rejection.csv: a row a cell and point of its curve.
 [[nodiscard]] ReportTable AllRejectionPoints(const std::vector<ViewCellResult>& results);
-
-/// The median errors against the number of neighbours, where that is a factor, a line a method; and
-/// what is right of the answers kept against how many are kept, a line a curve. None where no cell
-/// has such figures.
-[[nodiscard]] std::vector<NamedFigure> ErrorFigures(const ViewStudyRun& run);
 
 }  // namespace handcraft::experiments

@@ -25,9 +25,15 @@ constexpr const char* kHalfTurnName = "half_turn";
 struct DescribedView {
   features::ViewDescription description;
   std::string label;
-  std::string symmetry;
+  std::string symmetry;  // as the set has it
   double angle_deg = 0.0;
 };
+
+// A set's word for a symmetry as readers of a report know it.
+std::string KindOf(const std::string& symmetry) {
+  if (symmetry.empty()) return "symmetry unknown";
+  return symmetry == "none" ? "asymmetric" : symmetry;
+}
 
 // All views that can be asked about, with their descriptions.
 std::vector<DescribedView> DescribeAll(const datasets::ViewSet& set, int num_threads) {
@@ -39,7 +45,7 @@ std::vector<DescribedView> DescribeAll(const datasets::ViewSet& set, int num_thr
     if (!item.angle_deg || item.symmetry == "round") continue;
     views.push_back({.description = descriptions[i],
                      .label = item.object_class,
-                     .symmetry = item.symmetry.empty() ? "none" : item.symmetry,
+                     .symmetry = item.symmetry,
                      .angle_deg = *item.angle_deg});
   }
   return views;
@@ -76,7 +82,9 @@ AnswerCounts NoAnswers(const std::vector<DescribedView>& asked) {
   AnswerCounts answers{.row_title = "object", .counts = {}};
   std::map<std::string, std::string> symmetries;
   for (const DescribedView& view : asked) {
-    if (symmetries.emplace(view.label, view.symmetry).second) answers.rows.push_back(view.label);
+    if (!symmetries.emplace(view.label, view.symmetry).second) continue;
+    answers.rows.push_back(view.label);
+    answers.kinds.push_back(KindOf(view.symmetry));
   }
   answers.counts.assign(answers.rows.size(), std::vector<std::size_t>(kNumRotationBins));
   for (std::size_t bin = 0; bin < kNumRotationBins; ++bin) {
@@ -92,19 +100,15 @@ AnswerCounts NoAnswers(const std::vector<DescribedView>& asked) {
   return answers;
 }
 
-// The groups of the rows, and of all rows with the same symmetry.
-std::vector<GroupShare> GroupsOf(const AnswerCounts& answers,
-                                 const std::vector<DescribedView>& asked) {
+// The groups of the rows, and of all rows of the same kind.
+std::vector<GroupShare> GroupsOf(const AnswerCounts& answers) {
   std::vector<GroupShare> groups;
-  std::map<std::string, std::vector<GroupShare>> by_symmetry;
+  std::map<std::string, std::vector<GroupShare>> by_kind;
   for (std::size_t row = 0; row < answers.rows.size(); ++row) {
     groups.push_back(ShareOfRow(answers, row));
-    const auto view = std::find_if(asked.begin(), asked.end(), [&](const DescribedView& v) {
-      return v.label == answers.rows[row];
-    });
-    by_symmetry[view->symmetry].push_back(groups.back());
+    by_kind[answers.kinds[row]].push_back(groups.back());
   }
-  for (const auto& [symmetry, parts] : by_symmetry) groups.push_back(ShareOfAll(symmetry, parts));
+  for (const auto& [kind, parts] : by_kind) groups.push_back(ShareOfAll(kind, parts));
   return groups;
 }
 
@@ -149,7 +153,7 @@ ViewCellResult FindRotations(const ViewCell& cell,
   }
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
   result.times.push_back({"nearest_view_ms", taken.count() / static_cast<double>(asked.size())});
-  result.groups = GroupsOf(result.answers, asked);
+  result.groups = GroupsOf(result.answers);
   return result;
 }
 

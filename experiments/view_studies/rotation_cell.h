@@ -17,7 +17,9 @@ inline constexpr double kRotationBinDeg = 10.0;
 /// `train` is from the view's own. Without `test` the views of `train` are asked about, each
 /// without itself. Rows of the answers are classes, columns differences: bin k holds those from
 /// 10k − 5 to 10k + 5 degrees. Right is a difference of up to 10 degrees, of an object that half a
-/// turn brings back also one of 170 to 190. Groups: the classes, then their kinds of symmetry.
+/// turn brings back also one of 170 to 190. Groups: the classes, then their kinds of symmetry,
+/// which are the rows' kinds too: "asymmetric", "half_turn", and "symmetry unknown" where the set
+/// does not say, which is judged as asymmetric.
 /// Objects that are round, and views without angle, are left out (dissertation, section 4.3.2).
 /// Throws Error(kBadInput) for a view that cannot be described, and when nothing is left.
 [[nodiscard]] ViewCellResult FindRotations(const ViewCell& cell,
@@ -28,7 +30,7 @@ inline constexpr double kRotationBinDeg = 10.0;
 /// The bin of a difference of angles [deg].
 [[nodiscard]] std::size_t RotationBin(double difference_deg) noexcept;
 
-/// Whether a difference counts as right for an object of this symmetry ("none", "half_turn").
+/// Whether a difference counts as right for an object of this symmetry, as a view set has it.
 [[nodiscard]] bool IsRightRotation(double difference_deg, std::string_view symmetry) noexcept;
 
 }  // namespace handcraft::experiments

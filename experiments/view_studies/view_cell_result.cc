@@ -3,9 +3,31 @@
 
 #include "experiments/view_studies/view_cell_result.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace handcraft::experiments {
+
+std::vector<std::string> GroupNames(const std::vector<ViewCellResult>& results) {
+  std::vector<std::string> names;
+  std::vector<std::string> sums;
+  for (const ViewCellResult& result : results) {
+    for (std::size_t g = 0; g < result.groups.size(); ++g) {
+      std::vector<std::string>& list = g < result.answers.rows.size() ? names : sums;
+      const std::string& name = result.groups[g].name;
+      if (std::find(list.begin(), list.end(), name) == list.end()) list.push_back(name);
+    }
+  }
+  names.insert(names.end(), sums.begin(), sums.end());
+  return names;
+}
+
+const GroupShare* FindGroup(const ViewCellResult& result, const std::string& name) {
+  const auto found = std::find_if(result.groups.begin(),
+                                  result.groups.end(),
+                                  [&](const GroupShare& group) { return group.name == name; });
+  return found == result.groups.end() ? nullptr : &*found;
+}
 
 GroupShare ShareOfRow(const AnswerCounts& answers, std::size_t row) {
   GroupShare group{.name = answers.rows[row]};

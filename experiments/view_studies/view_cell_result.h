@@ -27,6 +27,8 @@ struct AnswerCounts {
   std::vector<std::string> columns = {};         ///< what was answered
   std::vector<std::vector<std::size_t>> counts;  ///< rows × columns
   std::vector<std::vector<bool>> is_right = {};  ///< rows × columns
+  /// What the rows are divided by, one a row: kinds of symmetry; empty: nothing.
+  std::vector<std::string> kinds = {};
 };
 
 /// How far the answers of a group that were not rejected are from the truth: medians, and the 90th
@@ -56,6 +58,12 @@ struct ViewCellResult {
   std::vector<GroupErrors> errors = {};        ///< where answers are poses
   std::vector<RejectionPoint> rejection = {};  ///< where answers can be doubted
 };
+
+/// The groups of all cells, rows of the answers first, each once.
+[[nodiscard]] std::vector<std::string> GroupNames(const std::vector<ViewCellResult>& results);
+
+/// Null when the cell has no such group.
+[[nodiscard]] const GroupShare* FindGroup(const ViewCellResult& result, const std::string& name);
 
 /// A group of the row's views.
 [[nodiscard]] GroupShare ShareOfRow(const AnswerCounts& answers, std::size_t row);

@@ -3,8 +3,11 @@
 
 #include "experiments/view_studies/view_study_report.h"
 
-#include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -13,6 +16,7 @@
 #include "experiments/runner/figure_files.h"
 #include "experiments/view_studies/answer_table.h"
 #include "experiments/view_studies/error_report.h"
+#include "experiments/view_studies/view_study_figures.h"
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
 
@@ -21,45 +25,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string ShareText(const Estimate& share) {
-  return PercentText(share.value) + " " + PercentIntervalText(share);
+std::string TextOf(const GroupShare* group) {
+  if (group == nullptr) return "–";
+  return fmt::format("{:.1f} [{:.1f}, {:.1f}] of {}",
+                     100.0 * group->share.value,
+                     100.0 * group->share.low,
+                     100.0 * group->share.high,
+                     group->num_views);
 }
 
-// The groups of all cells, rows of the answers first, each once.
-std::vector<std::string> GroupNames(const ViewStudyRun& run) {
-  std::vector<std::string> names;
-  std::vector<std::string> sums;
-  for (const ViewCellResult& result : run.results) {
-    for (std::size_t g = 0; g < result.groups.size(); ++g) {
-      std::vector<std::string>& list = g < result.answers.rows.size() ? names : sums;
-      const std::string& name = result.groups[g].name;
-      if (std::find(list.begin(), list.end(), name) == list.end()) list.push_back(name);
-    }
-  }
-  names.insert(names.end(), sums.begin(), sums.end());
-  return names;
+std::string PublishedText(const std::map<std::string, double>& published, const std::string& name) {
+  const auto found = published.find(name);
+  return found == published.end() ? "–" : NumberToText(found->second);
 }
 
-// Null when the cell has no such group.
-const GroupShare* FindGroup(const ViewCellResult& result, const std::string& name) {
-  const auto found = std::find_if(result.groups.begin(),
-                                  result.groups.end(),
-                                  [&](const GroupShare& group) { return group.name == name; });
-  return found == result.groups.end() ? nullptr : &*found;
-}
-
-// A row a group, a column a cell.
+// A row a group, a column a cell, and one of what was published.
 ReportTable SharesTable(const ViewStudyRun& run) {
-  ReportTable table{.head = {"right of"}};
+  ReportTable table{.head = {"right of [%]"}};
   for (const ViewCellResult& result : run.results) table.head.push_back(result.id);
-  for (const std::string& name : GroupNames(run)) {
+  if (!run.study.claims.empty()) table.head.push_back(run.study.claim_source);
+  for (const std::string& name : GroupNames(run.results)) {
     std::vector<std::string> row = {name};
     for (const ViewCellResult& result : run.results) {
-      const GroupShare* const group = FindGroup(result, name);
-      row.push_back(group == nullptr
-                        ? "–"
-                        : fmt::format("{} of {}", ShareText(group->share), group->num_views));
+      row.push_back(TextOf(FindGroup(result, name)));
     }
+    if (!run.study.claims.empty()) row.push_back(PublishedText(run.study.claims, name));
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -86,75 +76,27 @@ std::vector<std::string> Verdicts(const ViewStudyRun& run) {
   return verdicts;
 }
 
+// Three digits, and no fewer than the whole number has.
+std::string TimeText(double time) {
+  if (std::isnan(time)) return "–";
+  return time >= 100.0 ? fmt::format("{:.0f}", time) : fmt::format("{:.3g}", time);
+}
+
 ReportTable TimesTable(const ViewStudyRun& run) {
   ReportTable table{.head = {"cell"}};
   std::vector<std::string> published = {run.study.claim_source};
   for (const TimeFigure& time : run.results.front().times) {
     table.head.push_back(time.name);
-    const auto found = run.study.claimed_ms.find(time.name);
-    published.push_back(found == run.study.claimed_ms.end() ? "–" : NumberToText(found->second));
+    published.push_back(PublishedText(run.study.claimed_ms, time.name));
   }
   for (const ViewCellResult& result : run.results) {
     std::vector<std::string> row = {result.id};
-    for (const TimeFigure& time : result.times) row.push_back(DecimalText(time.value, 4));
+    for (const TimeFigure& time : result.times) row.push_back(TimeText(time.value));
     row.resize(table.head.size());
     table.rows.push_back(std::move(row));
   }
   if (!run.study.claimed_ms.empty()) table.rows.push_back(std::move(published));
   return table;
-}
-
-BarFigure SharesFigure(const ViewStudyRun& run) {
-  BarFigure figure{.title = run.study.title, .y_label = "right [%]", .groups = {}, .series = {}};
-  figure.groups = GroupNames(run);
-  for (const ViewCellResult& result : run.results) {
-    BarFigure::Series series{.name = result.id, .bars = {}};
-    for (const std::string& name : figure.groups) {
-      Estimate bar{std::nan(""), std::nan(""), std::nan("")};
-      if (const GroupShare* const group = FindGroup(result, name)) {
-        bar = {100.0 * group->share.value, 100.0 * group->share.low, 100.0 * group->share.high};
-      }
-      series.bars.push_back(bar);
-    }
-    figure.series.push_back(std::move(series));
-  }
-  return figure;
-}
-
-// The times that a publication has too, but for their sum: a group each.
-BarFigure TimesFigure(const ViewStudyRun& run) {
-  BarFigure figure{.title = run.study.title, .y_label = "time [ms]", .groups = {}, .series = {}};
-  for (const ViewCellResult& result : run.results) {
-    BarFigure::Series series{.name = result.id, .bars = {}};
-    figure.groups.clear();
-    for (const TimeFigure& time : result.times) {
-      if (!run.study.claimed_ms.contains(time.name) || time.name == "all_ms") continue;
-      figure.groups.push_back(time.name);
-      series.bars.push_back({time.value, time.value, time.value});
-    }
-    figure.series.push_back(std::move(series));
-  }
-  return figure;
-}
-
-// Figure 4.7: how often each difference was found, all objects of a cell together.
-BarFigure HistogramFigure(const ViewStudyRun& run) {
-  BarFigure figure{.title = run.study.title, .y_label = "views", .groups = {}, .series = {}};
-  constexpr std::size_t kNamedBins = 3;  // all names would lie over each other
-  const std::vector<std::string>& bins = run.results.front().answers.columns;
-  for (std::size_t bin = 0; bin < bins.size(); ++bin) {
-    figure.groups.push_back(bin % kNamedBins == 0 ? bins[bin] : "");
-  }
-  for (const ViewCellResult& result : run.results) {
-    BarFigure::Series series{.name = result.id, .bars = {}};
-    for (std::size_t column = 0; column < figure.groups.size(); ++column) {
-      double sum = 0.0;
-      for (const auto& row : result.answers.counts) sum += static_cast<double>(row[column]);
-      series.bars.push_back({sum, sum, sum});
-    }
-    figure.series.push_back(std::move(series));
-  }
-  return figure;
 }
 
 std::string HeaderText(const ViewStudyRun& run) {
@@ -217,14 +159,8 @@ std::string SummaryText(const ViewStudyRun& run) {
 }  // namespace
 
 GnuplotReport WriteViewStudyReport(const fs::path& out, const ViewStudyRun& run) {
-  std::vector<NamedFigure> figures = {{"right_answers", SharesFigure(run)}};
-  if (run.study.task == ViewTask::kObjectRotation) {
-    figures.push_back({"rotation_histogram", HistogramFigure(run)});
-  }
-  if (!run.study.claimed_ms.empty()) figures.push_back({"layer_times", TimesFigure(run)});
-  for (NamedFigure& figure : ErrorFigures(run)) figures.push_back(std::move(figure));
   const ReportTable errors = ErrorsTable(run);
-  FigureFiles files = WriteFigures(out / "figures", figures);
+  FigureFiles files = WriteFigures(out / "figures", ViewStudyFigures(run));
   WriteFileAtomically(out / "summary.md", SummaryText(run));
   WriteFileAtomically(
       out / "report.html",

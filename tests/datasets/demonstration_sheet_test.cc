@@ -66,6 +66,45 @@ TEST(DrawHands, LeavesOutWhatIsBehindTheCamera) {
   EXPECT_EQ(picture.values(), Image(80, 60, 3).values()) << "far outside the picture";
 }
 
+// On white a yellow line can hardly be seen without its rim.
+TEST(DrawHands, GivesWideLinesABlackRim) {
+  const EndEffectorPose pose = Reaching({0.0, 0.0, 0.1});
+  const auto darkest = [&](int width_px) {
+    Image picture(80, 60, 3, 255);
+    DrawHands(picture, FromAbove(), std::array{pose}, Hand::kRight, width_px);
+    int least = 255;
+    for (int v = 0; v < picture.height(); ++v) {
+      for (int u = 0; u < picture.width(); ++u) {
+        least = std::min<int>(
+            least, std::max({picture.At(u, v, 0), picture.At(u, v, 1), picture.At(u, v, 2)}));
+      }
+    }
+    return least;
+  };
+  EXPECT_GT(darkest(1), 100);
+  EXPECT_LT(darkest(3), 20);
+}
+
+TEST(PartAbout, SeesTheSamePointsLarger) {
+  Image picture(80, 60);
+  picture.At(55, 25) = 255;
+  const PicturePart part =
+      PartAbout(picture, {.u_px = 50, .v_px = 20, .width = 10, .height = 10}, FromAbove(), 260);
+  EXPECT_EQ(part.picture.channels(), 3);
+  EXPECT_EQ(part.picture.width(), 260);
+  EXPECT_EQ(part.picture.height(), 195);
+  // The white pixel, where the point that it shows is seen now.
+  const Eigen::Vector2f before = {55.0F, 25.0F};
+  const Eigen::Vector3f ray((before.x() - FromAbove().centre_u_px) / FromAbove().focal_px,
+                            (before.y() - FromAbove().centre_v_px) / FromAbove().focal_px,
+                            1.0F);
+  const Eigen::Vector2f after = part.camera.Project(FromAbove().base_from_camera * ray);
+  const int u = static_cast<int>(std::lround(after.x()));
+  const int v = static_cast<int>(std::lround(after.y()));
+  EXPECT_GT(part.picture.At(u, v), 150);
+  EXPECT_LT(part.picture.At(u + 20, v), 50);
+}
+
 class SheetOfThreeViews : public ::testing::Test {
  protected:
   TemporaryDirectory folder_;

@@ -92,6 +92,7 @@ Json ToJson(const experiments::BenchmarkResult& result) {
   return {{"name", result.name},
           {"what", result.what},
           {"dissertation_ms", result.dissertation_ms},
+          {"target_ms", result.target_ms},
           {"peer", result.peer},
           {"peer_ms", result.peer_ms},
           {"ours_ms", result.ours_ms},
@@ -108,11 +109,13 @@ std::string Figure(double value) {
 }
 
 std::string ToText(const std::vector<experiments::BenchmarkResult>& results) {
-  TextTable table({"name", "ours [ms]", "peer [ms]", "ratio", "dissertation [ms]", "peer"});
+  TextTable table(
+      {"name", "ours [ms]", "target [ms]", "peer [ms]", "ratio", "dissertation [ms]", "peer"});
   std::string details;
   for (const experiments::BenchmarkResult& result : results) {
     table.AddRow({result.name,
                   Figure(result.ours_ms),
+                  Figure(result.target_ms),
                   Figure(result.peer_ms),
                   Figure(result.ratio),
                   Figure(result.dissertation_ms),
@@ -148,6 +151,7 @@ void RunBench(const BenchOptions& options, const Console& console) {
     results.push_back(benchmark.run(benchmark_options));
     results.back().name = benchmark.name;
     results.back().what = benchmark.what;
+    results.back().target_ms = benchmark.target_ms;
   }
   bar.Clear();
   Json json = Json::array();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Handcraft authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -172,17 +173,48 @@ std::string PlanText(const GraspPlan& plan, const GraspPlanner& planner) {
          joints.ToText() + '\n' + stages.ToText();
 }
 
-// The picture with the grasp point and a hand at the planned pose.
-Image Overlay(const GraspScene& scene, const GraspPlan& plan) {
-  const perception::MarkedPoint mark{.u_px = plan.u_px, .v_px = plan.v_px, .probability = 1.0F};
-  Image picture = perception::DrawGraspPoints(
-      scene.image, FloatImage(scene.image.width(), scene.image.height()), {&mark, 1});
+// The grasp point at this pixel and a hand at the planned pose, on a picture of this camera.
+Image Overlay(const Image& picture,
+              const synthetic::PinholeCamera& camera,
+              const GraspPlan& plan,
+              const perception::MarkedPoint& mark) {
+  Image drawn = perception::DrawGraspPoints(picture, {}, {&mark, 1});
   const auto& p = plan.base_from_grasp.translation_m;
   const auto q = robot::QuaternionFromRotation(plan.base_from_grasp.rotation);
   const datasets::EndEffectorPose pose{.position_m = {p[0], p[1], p[2]},
                                        .rotation = Eigen::Quaterniond(q[3], q[0], q[1], q[2])};
-  datasets::DrawHands(picture, datasets::FitCamera(scene.cloud), {&pose, 1});
-  return picture;
+  constexpr int kLinesPerSide = 200;
+  const int side_px = std::max(picture.width(), picture.height());
+  datasets::DrawHands(
+      drawn, camera, {&pose, 1}, datasets::Hand::kRight, std::max(2, side_px / kLinesPerSide));
+  return drawn;
+}
+
+// The surroundings of the grasp point enlarged: about 0.24 m of them, into which a hand fits.
+Image CloseUp(const GraspScene& scene,
+              const synthetic::PinholeCamera& camera,
+              const GraspPlan& plan) {
+  constexpr float kHalfSideM = 0.06F;
+  constexpr int kWidthPx = 640;
+  const Eigen::Vector3f p_in_base(static_cast<float>(plan.point_m[0]),
+                                  static_cast<float>(plan.point_m[1]),
+                                  static_cast<float>(plan.point_m[2]));
+  const float depth_m = (camera.base_from_camera.inverse() * p_in_base).z();
+  const int half_px = std::max(1, static_cast<int>(camera.focal_px * kHalfSideM / depth_m));
+  const datasets::PicturePart part = datasets::PartAbout(scene.image,
+                                                         {.u_px = plan.u_px - half_px,
+                                                          .v_px = plan.v_px - half_px,
+                                                          .width = 2 * half_px,
+                                                          .height = 2 * half_px},
+                                                         camera,
+                                                         kWidthPx);
+  const Eigen::Vector2f pixel = part.camera.Project(p_in_base);
+  return Overlay(part.picture,
+                 part.camera,
+                 plan,
+                 {.u_px = static_cast<int>(std::lround(pixel.x())),
+                  .v_px = static_cast<int>(std::lround(pixel.y())),
+                  .probability = 1.0F});
 }
 
 // A plan that the robot must not carry out.
@@ -215,7 +247,13 @@ void RunPlanGrasp(const PlanGraspOptions& options, const Console& console) {
   if (!options.out.empty()) {
     OutputFolder folder(options.out);
     WriteFileAtomically(folder.Claim("plan.json"), experiments::JsonText(PlanJson(plan, planner)));
-    perception::WritePng(folder.Claim("overlay.png"), Overlay(scene, plan));
+    const synthetic::PinholeCamera camera = datasets::FitCamera(scene.cloud);
+    perception::WritePng(folder.Claim("overlay.png"),
+                         Overlay(scene.image,
+                                 camera,
+                                 plan,
+                                 {.u_px = plan.u_px, .v_px = plan.v_px, .probability = 1.0F}));
+    perception::WritePng(folder.Claim("close_up.png"), CloseUp(scene, camera, plan));
     folder.Keep();
   }
   if (options.json) console.Print(PlanJson(plan, planner));
@@ -260,7 +298,7 @@ void AddPlanGrasp(CLI::App& parent, const Console& console) {
         return distance_m >= 0.0 && distance_m <= 1000.0 ? std::string() : "from 0 to 1000";
       }))
       ->type_name("NUMBER");
-  command->add_option("--out", options->out, "Folder for plan.json and overlay.png");
+  command->add_option("--out", options->out, "Folder for plan.json, overlay.png and close_up.png");
   AddJsonFlag(*command, options->json);
   SetExample(*command,
              "handcraft plan grasp --config plan.toml --image image.png --cloud cloud.pcd "

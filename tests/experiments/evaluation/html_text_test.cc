@@ -18,6 +18,11 @@ using ::testing::StartsWith;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
+TEST(BreakableHtml, BreaksAfterLowLinesAndCommas) {
+  EXPECT_EQ(BreakableHtml("moved_copies,C=1"), "moved_<wbr>copies,<wbr>C=1");
+  EXPECT_EQ(BreakableHtml("a<b_"), "a&lt;b_<wbr>");
+}
+
 TEST(EscapeHtml, WritesTheFiveSpecialCharactersAsEntities) {
   EXPECT_EQ(EscapeHtml(R"(<a href="x">R&D's</a>)"),
             "&lt;a href=&quot;x&quot;&gt;R&amp;D&#39;s&lt;/a&gt;");

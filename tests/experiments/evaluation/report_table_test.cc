@@ -29,6 +29,14 @@ TEST(ReportTable, AsHtmlEscapesItsCells) {
                     HasSubstr("<th>say &quot;c&quot;</th><td class=\"number\">&lt;2</td>")));
 }
 
+TEST(ReportTable, AsHtmlPutsIntervalsBelowTheirValues) {
+  EXPECT_THAT(
+      HtmlText({.head = {"right_of"}, .rows = {{"mug", "61.7 [55.4, 67.6] of 240", "[1]"}}}),
+      AllOf(HasSubstr("<th>right_<wbr>of</th>"),
+            HasSubstr(">61.7<span class=\"range\">[55.4, 67.6] of 240</span></td>"),
+            HasSubstr(">[1]</td>")));
+}
+
 TEST(ReportTable, WithoutRowsIsItsHead) {
   EXPECT_EQ(CsvText({.head = {"a"}}), "a\n");
   EXPECT_EQ(MarkdownText({.head = {"a"}}), "| a |\n|---|\n\n");

@@ -65,6 +65,37 @@ TEST(GnuplotProgram, HasAnAxisWithZeroAndEveryInterval) {
   EXPECT_THAT(GnuplotProgram(TwoByTwo(), "figure"), HasSubstr("set yrange [-11.4:63.4]"));
 }
 
+TEST(GnuplotProgram, DrawsALineAcrossEachGroupThatHasATarget) {
+  BarFigure figure = TwoByTwo();
+  EXPECT_THAT(GnuplotProgram(figure, "figure"), Not(HasSubstr("set arrow")));
+  figure.targets = {std::numeric_limits<double>::quiet_NaN(), 90.0};
+  figure.target_name = "Table 4.2";
+  const std::string program = GnuplotProgram(figure, "figure");
+  EXPECT_THAT(program,
+              AllOf(HasSubstr("set arrow from 0.6,90 to 1.4,90 nohead"),
+                    HasSubstr("set yrange [-12.9:94.9]"),
+                    HasSubstr("keyentry with lines linewidth 1.5 dashtype 2"),
+                    HasSubstr("title \"Table 4.2\"")));
+  EXPECT_THAT(program, Not(HasSubstr("set arrow from -0.4")));
+  EXPECT_THAT(PlotBars(figure).ToFileText(),
+              AllOf(HasSubstr("stroke-dasharray"), HasSubstr("Table 4.2")));
+}
+
+TEST(GnuplotProgram, HasPowersOfTenOnALogarithmicAxis) {
+  const BarFigure figure{.title = "t",
+                         .y_label = "time [ms]",
+                         .groups = {"a", "b"},
+                         .series = {{"one", {{0.01, 0.01, 0.01}, {1.0, 1.0, 1.0}}}},
+                         .targets = {100.0, 10.0},
+                         .target_name = "then",
+                         .log_y = true};
+  // From 10^-2 to 10^2, and a twentieth of these four decades beyond either end.
+  EXPECT_THAT(GnuplotProgram(figure, "figure"),
+              HasSubstr("set logscale y\nset yrange [0.00630957:158.489]"));
+  const std::string text = PlotBars(figure).ToFileText();
+  EXPECT_THAT(text, AllOf(HasSubstr(">0.01<"), HasSubstr(">100<"), Not(HasSubstr("nan"))));
+}
+
 TEST(PlotBars, DrawsBarsIntervalsAndNames) {
   const std::string text = PlotBars(TwoByTwo()).ToFileText();
   EXPECT_THAT(text, AllOf(HasSubstr("tea_cup"), HasSubstr("all500"), Not(HasSubstr("nan"))));

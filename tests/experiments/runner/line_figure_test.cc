@@ -33,6 +33,19 @@ TEST(GnuplotProgram, DrawsLinesThroughNamedPoints) {
                     HasSubstr("set output \"time.pdf\"")));
 }
 
+TEST(GnuplotProgram, DrawsALineAtWhatWasAimedAt) {
+  LineFigure figure = TwoLines();
+  EXPECT_THAT(GnuplotProgram(figure, "time"), Not(HasSubstr("set arrow")));
+  figure.target = 10.0;
+  figure.target_name = "Table 4.5";
+  EXPECT_THAT(GnuplotProgram(figure, "time"),
+              AllOf(HasSubstr("set arrow from graph 0,first 10 to graph 1,first 10 nohead"),
+                    HasSubstr("set yrange [0:11.2]"),
+                    HasSubstr("title \"Table 4.5\"")));
+  EXPECT_THAT(PlotLines(figure).ToFileText(),
+              AllOf(HasSubstr("stroke-dasharray"), HasSubstr("Table 4.5")));
+}
+
 TEST(PlotLines, LeavesOutWhatWasNotMeasured) {
   const std::string text = PlotLines(TwoLines()).ToFileText();
   EXPECT_THAT(text, AllOf(HasSubstr("H3"), HasSubstr(">two<"), Not(HasSubstr("nan"))));

@@ -28,5 +28,19 @@ TEST(AnswerTable, TintsByShareOfTheRow) {
                     Not(HasSubstr(">0</td>"))));
 }
 
+TEST(AnswerTable, PutsLongNamesOfManyColumnsUpright) {
+  AnswerCounts answers{.row_title = "object", .rows = {"can"}, .counts = {{}}, .is_right = {{}}};
+  for (int column = 0; column < 9; ++column) {
+    answers.columns.push_back(std::to_string(10 * column) + "°");
+    answers.counts[0].push_back(1);
+    answers.is_right[0].push_back(true);
+  }
+  EXPECT_THAT(AnswerTable(answers), HasSubstr("<table class=\"dense\">"));
+  answers.columns[8] = "shampoo_bottle";
+  EXPECT_THAT(AnswerTable(answers),
+              AllOf(HasSubstr("<table class=\"dense upright\">"),
+                    HasSubstr("<span>shampoo_<wbr>bottle</span>")));
+}
+
 }  // namespace
 }  // namespace handcraft::experiments

@@ -49,30 +49,11 @@ TEST(ErrorReport, TellsTheErrorsOfAllGroups) {
               ElementsAre("near,neighbours=2", "0.01", "4", "3"));
 }
 
-TEST(ErrorReport, DrawsErrorsAgainstNeighboursAndWhatIsKept) {
-  const std::vector<NamedFigure> figures = ErrorFigures(SomeRun());
-  ASSERT_EQ(figures.size(), 3U);
-  EXPECT_EQ(figures[1].name, "rotation_error");
-  const auto& rotation = std::get<LineFigure>(figures[1].figure);
-  ASSERT_EQ(rotation.series.size(), 2U);
-  EXPECT_EQ(rotation.series[0].name, "near");
-  EXPECT_EQ(rotation.series[0].points[0].x, 1.0);
-  EXPECT_EQ(rotation.series[0].points[0].y, 20.0);
-  EXPECT_EQ(rotation.series[0].points[1].y, 10.0);
-  // A curve that another cell has already is drawn once.
-  const auto& rejection = std::get<LineFigure>(figures[2].figure);
-  ASSERT_EQ(rejection.series.size(), 2U);
-  EXPECT_EQ(rejection.series[0].points[0].x, 50.0);
-  EXPECT_EQ(rejection.series[0].points[0].y, 75.0);
-  EXPECT_EQ(rejection.series[1].points[1].y, 62.5);
-}
-
 TEST(ErrorReport, HasNothingToTellOfClasses) {
   ViewStudyRun run;
   run.results.push_back({.id = "a", .answers = {}});
   EXPECT_TRUE(ErrorsTable(run).rows.empty());
   EXPECT_TRUE(AllErrors(run.results).rows.empty());
-  EXPECT_TRUE(ErrorFigures(run).empty());
 }
 
 }  // namespace

@@ -52,13 +52,29 @@ TEST(FindRotations, LeavesRoundObjectsOutAndGroupsBySymmetry) {
     EXPECT_EQ(row[0], 0U) << "no other view has the same angle";
   }
   ASSERT_EQ(result.groups.size(), 5U);
-  EXPECT_EQ(result.groups[3].name, "half_turn");
-  EXPECT_EQ(result.groups[4].name, "none");
-  EXPECT_EQ(result.groups[4].num_views, 12U);
+  EXPECT_THAT(result.answers.kinds, ElementsAre("asymmetric", "half_turn", "asymmetric"));
+  EXPECT_EQ(result.groups[3].name, "asymmetric");
+  EXPECT_EQ(result.groups[3].num_views, 12U);
+  EXPECT_EQ(result.groups[4].name, "half_turn");
   // Asked about the very views that were learnt, every object finds itself.
   const ViewCellResult same = FindRotations(cell, data, &data, 1);
   for (const auto& row : same.answers.counts) EXPECT_EQ(row[0], 6U);
-  EXPECT_EQ(same.groups[4].num_right, 12U);
+  EXPECT_EQ(same.groups[3].num_right, 12U);
+}
+
+// The dissertation's figures are of objects whose symmetry is known.
+TEST(FindRotations, KeepsObjectsOfUnknownSymmetryApart) {
+  const TemporaryDirectory folder;
+  datasets::ViewSet data = MakeSmallViews(folder / "set", 4);
+  for (datasets::ObjectView& view : data.items) {
+    if (view.object_class == "drill") view.symmetry.clear();
+  }
+  const ViewCell cell{.id = "all", .method = "all", .factors = {}, .settings = {}};
+  const ViewCellResult result = FindRotations(cell, data, nullptr, 1);
+  EXPECT_THAT(result.answers.kinds, ElementsAre("asymmetric", "half_turn", "symmetry unknown"));
+  ASSERT_EQ(result.groups.size(), 6U);
+  EXPECT_EQ(result.groups[5].name, "symmetry unknown");
+  EXPECT_EQ(result.groups[5].num_views, 4U);
 }
 
 TEST(FindRotations, RefusesViewsWithoutAngles) {

@@ -27,6 +27,18 @@ TEST(ShareOfRow, CountsEveryRightAnswer) {
   EXPECT_EQ(box.share.low, WilsonInterval(5, 9).low);
 }
 
+TEST(GroupNames, HasRowsBeforeSums) {
+  const AnswerCounts answers = TwoRows();
+  const GroupShare can = ShareOfRow(answers, 0);
+  const GroupShare all = ShareOfAll("all", {can});
+  const std::vector<ViewCellResult> results = {
+      {.id = "a", .answers = answers, .groups = {can, ShareOfRow(answers, 1), all}},
+      {.id = "b", .answers = answers, .groups = {can, {.name = "later"}, all}}};
+  EXPECT_EQ(GroupNames(results), (std::vector<std::string>{"can", "box", "later", "all"}));
+  EXPECT_EQ(FindGroup(results[0], "all")->num_right, 5U);
+  EXPECT_EQ(FindGroup(results[0], "later"), nullptr);
+}
+
 TEST(ShareOfAll, AddsViewsUp) {
   const GroupShare all = ShareOfAll("all", {ShareOfRow(TwoRows(), 0), ShareOfRow(TwoRows(), 1)});
   EXPECT_EQ(all.num_views, 15U);

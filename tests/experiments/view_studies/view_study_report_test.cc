@@ -29,10 +29,10 @@ TEST(WriteViewStudyReport, TellsSharesAnswersAndVerdicts) {
     EXPECT_THAT(ReadTextFile(out / "report.html"),
                 AllOf(HasSubstr("Study small"), HasSubstr("coffee_can"), HasSubstr("linear")));
     EXPECT_TRUE(fs::exists(out / "figures/right_answers.svg"));
-    EXPECT_EQ(fs::exists(out / "figures/rotation_histogram.svg"),
+    EXPECT_EQ(fs::exists(out / "figures/rotation_histogram_half_turn.svg"),
               task == ViewTask::kObjectRotation);
     const std::string summary = ReadTextFile(out / "summary.md");
-    EXPECT_THAT(summary, HasSubstr("| right of | poly | linear |"));
+    EXPECT_THAT(summary, HasSubstr("| right of [%] | poly | linear | nowhere |"));
     EXPECT_EQ(summary.find("nowhere has 100.00 %") != std::string::npos,
               task == ViewTask::kObjectClass);
   }
@@ -72,7 +72,8 @@ TEST(WriteViewStudyReport, TellsErrorsOfDemonstrations) {
                         .factors = {{"neighbours", {"1", "2"}}}};
   const fs::path out = folder / "out";
   static_cast<void>(WriteViewStudyReport(out, RunViewStudy(study, {.out = out})));
-  for (const char* figure : {"position_error", "rotation_error", "rejection"}) {
+  for (const char* figure :
+       {"position_error_by_neighbours", "rotation_error_by_neighbours", "rejection"}) {
     EXPECT_TRUE(fs::exists(out / "figures" / (std::string(figure) + ".svg"))) << figure;
   }
   EXPECT_THAT(ReadTextFile(out / "report.html"), HasSubstr("<h2>Errors</h2>"));

@@ -34,7 +34,7 @@ TEST(Bench, PrintsATableOfTheOneAskedFor) {
   const Outcome outcome = RunLine(kQuick);
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("ours [ms]"), HasSubstr("load_model")));
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("ours [ms]  target [ms]"), HasSubstr("load_model")));
 }
 
 TEST(Bench, WritesTheStableKeys) {
@@ -45,12 +45,20 @@ TEST(Bench, WritesTheStableKeys) {
   EXPECT_THAT(outcome.out, HasSubstr("load_model"));
   const auto json = nlohmann::json::parse(ReadTextFile(file));
   ASSERT_EQ(json.size(), 1U);
-  for (const char* key :
-       {"name", "what", "dissertation_ms", "peer", "peer_ms", "ours_ms", "ratio", "unit"}) {
+  for (const char* key : {"name",
+                          "what",
+                          "dissertation_ms",
+                          "target_ms",
+                          "peer",
+                          "peer_ms",
+                          "ours_ms",
+                          "ratio",
+                          "unit"}) {
     EXPECT_TRUE(json[0].contains(key)) << key;
   }
   EXPECT_EQ(json[0]["name"], "load_model");
   EXPECT_GT(json[0]["ours_ms"].get<double>(), 0.0);
+  EXPECT_EQ(json[0]["target_ms"], 1.0);
 }
 
 TEST(Bench, PrintsNothingButJsonWhenAsked) {

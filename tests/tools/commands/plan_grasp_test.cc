@@ -222,10 +222,13 @@ TEST_F(PlanGrasp, DrawsTheHand) {
   perception::WritePng(set_ / "masks/board0.png", mask);
   const Outcome outcome =
       Plan("--grasp-point 32,24 --out " + (folder_ / "out").string() + " --json");
-  EXPECT_EQ(NumEntries(folder_ / "out"), 2U) << outcome.err;
+  EXPECT_EQ(NumEntries(folder_ / "out"), 3U) << outcome.err;
   const Image overlay = perception::ReadImage(folder_ / "out" / "overlay.png");
   EXPECT_EQ(overlay.width(), 64);
   EXPECT_NE(overlay.values(), picture.values());
+  const Image close_up = perception::ReadImage(folder_ / "out" / "close_up.png");
+  EXPECT_EQ(close_up.width(), 640);
+  EXPECT_EQ(close_up.height(), 480);
   EXPECT_EQ(nlohmann::json::parse(ReadTextFile(folder_ / "out" / "plan.json"))["class"], "board");
 }
 
