@@ -143,6 +143,15 @@ Image MaskAboveTable(const datasets::OrganisedCloud& cloud) {
   return mask;
 }
 
+Eigen::Isometry3f BaseFromGrasp(const GraspPlan& plan) {
+  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  const robot::Pose& pose = plan.base_from_grasp;
+  Eigen::Isometry3d isometry = Eigen::Isometry3d::Identity();
+  isometry.linear() = Eigen::Map<const RowMajor>(pose.rotation.data());
+  isometry.translation() = Eigen::Map<const Eigen::Vector3d>(pose.translation_m.data());
+  return isometry.cast<float>();
+}
+
 GraspPlanner::GraspPlanner(const GraspPlanOptions& options) : options_(options) {
   options.Validate();
   library_ = LoadKind(options.grasp_library, HC_KIND_GRASP_LIBRARY);
@@ -173,6 +182,7 @@ void GraspPlanner::LoadClasses() {
 }
 
 std::string GraspPlanner::ClassOf(const GraspScene& scene) {
+  if (!scene.object_class.empty()) return scene.object_class;
   if (!classifier_) return options_.object_class;
   datasets::MaskedCloud object = datasets::CropToMask(scene.cloud, scene.object_mask);
   const CloudClass found = classifier_->Classify(
@@ -239,8 +249,9 @@ void GraspPlanner::TakeBestPixel(const GraspScene& scene, GraspPlan& plan) const
 }
 
 void GraspPlanner::FindPoint(const GraspScene& scene, GraspPlan& plan) const {
-  if (options_.grasp_pixel) {
-    TakePixel(scene, *options_.grasp_pixel, plan);
+  const auto& pixel = scene.grasp_pixel ? scene.grasp_pixel : options_.grasp_pixel;
+  if (pixel) {
+    TakePixel(scene, *pixel, plan);
   } else {
     TakeBestPixel(scene, plan);
   }

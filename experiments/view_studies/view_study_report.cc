@@ -137,13 +137,18 @@ BarFigure TimesFigure(const ViewStudyRun& run) {
   return figure;
 }
 
-// Figure 4.7: how often each difference was found, all objects of a cell together.
+bool IsOfPlans(const ViewStudyRun& run) {
+  return run.study.task == ViewTask::kGraspPlan || run.study.task == ViewTask::kGraspSuccess;
+}
+
+// How often each answer was given, all objects of a cell together: of rotations Figure 4.7.
 BarFigure HistogramFigure(const ViewStudyRun& run) {
   BarFigure figure{.title = run.study.title, .y_label = "views", .groups = {}, .series = {}};
-  constexpr std::size_t kNamedBins = 3;  // all names would lie over each other
+  // The names of all angles would lie over each other.
+  const std::size_t named_bins = run.study.task == ViewTask::kObjectRotation ? 3 : 1;
   const std::vector<std::string>& bins = run.results.front().answers.columns;
   for (std::size_t bin = 0; bin < bins.size(); ++bin) {
-    figure.groups.push_back(bin % kNamedBins == 0 ? bins[bin] : "");
+    figure.groups.push_back(bin % named_bins == 0 ? bins[bin] : "");
   }
   for (const ViewCellResult& result : run.results) {
     BarFigure::Series series{.name = result.id, .bars = {}};
@@ -198,6 +203,30 @@ std::string InputsText(const ViewStudyRun& run) {
                             EscapeHtml(datasets::Fingerprint(run.train)));
 }
 
+// What became of the plans of a cell: a row an object and group.
+ReportTable OutcomesTable(const ViewCellResult& result) {
+  ReportTable table{.head = {"object"}};
+  const AnswerCounts& answers = result.answers;
+  table.head.insert(table.head.end(), answers.columns.begin(), answers.columns.end());
+  table.head.emplace_back("right");
+  for (std::size_t row = 0; row < answers.rows.size(); ++row) {
+    std::vector<std::string> cells = {answers.rows[row]};
+    for (const std::size_t count : answers.counts[row]) cells.push_back(NumberToText(count));
+    cells.push_back(ShareText(result.groups[row].share));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+std::string OutcomesSection(const ViewStudyRun& run) {
+  if (!IsOfPlans(run)) return "";
+  std::string text = "## Outcomes\n\n";
+  for (const ViewCellResult& result : run.results) {
+    text += fmt::format("{}:\n\n{}", result.id, MarkdownText(OutcomesTable(result)));
+  }
+  return text;
+}
+
 std::string ErrorsSection(const ViewStudyRun& run) {
   const ReportTable errors = ErrorsTable(run);
   return errors.rows.empty() ? "" : "## Errors of the answers kept\n\n" + MarkdownText(errors);
@@ -208,8 +237,8 @@ std::string SummaryText(const ViewStudyRun& run) {
   if (!run.study.question.empty()) text += run.study.question + "\n\n";
   for (const std::string& verdict : Verdicts(run)) text += "- " + verdict + "\n";
   text += "\n## Right answers\n\nWith 95 % intervals (Wilson).\n\n" +
-          MarkdownText(SharesTable(run)) + ErrorsSection(run) + "## Times\n\n" +
-          MarkdownText(TimesTable(run)) + "## Inputs\n\n";
+          MarkdownText(SharesTable(run)) + OutcomesSection(run) + ErrorsSection(run) +
+          "## Times\n\n" + MarkdownText(TimesTable(run)) + "## Inputs\n\n";
   for (const std::string& line : CanonicalLines(run.study)) text += "- " + line + "\n";
   return text + "- views: " + datasets::Fingerprint(run.train) + "\n";
 }
@@ -221,6 +250,7 @@ GnuplotReport WriteViewStudyReport(const fs::path& out, const ViewStudyRun& run)
   if (run.study.task == ViewTask::kObjectRotation) {
     figures.push_back({"rotation_histogram", HistogramFigure(run)});
   }
+  if (IsOfPlans(run)) figures.push_back({"outcomes", HistogramFigure(run)});
   if (!run.study.claimed_ms.empty()) figures.push_back({"layer_times", TimesFigure(run)});
   for (NamedFigure& figure : ErrorFigures(run)) figures.push_back(std::move(figure));
   const ReportTable errors = ErrorsTable(run);
