@@ -27,7 +27,7 @@ void CheckCompanion(std::string_view column,
                     const std::filesystem::path& path,
                     const PixelSize& picture_size) {
   if (column == kScene) {
-    CheckSceneFile(path);
+    static_cast<void>(ReadSceneFile(path));
     return;
   }
   if (column == kCloud) {

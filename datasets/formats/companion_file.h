@@ -12,7 +12,7 @@ namespace handcraft::datasets {
 
 /// Opens the file that a list names beside a picture, in the column object_mask, depth, cloud,
 /// scene or right_image, and reads all of it. Throws Error when it cannot be read, is not of its
-/// kind (a scene is one: CheckSceneFile), or is not of the picture's size.
+/// kind (a scene is one: ReadSceneFile), or is not of the picture's size.
 void CheckCompanion(std::string_view column,
                     const std::filesystem::path& path,
                     const PixelSize& picture_size);

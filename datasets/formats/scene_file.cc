@@ -26,28 +26,41 @@ class SceneTable {
   SceneTable(const std::filesystem::path& path, const toml::table& table, std::string name)
       : path_(path), table_(table), name_(std::move(name)) {}
 
-  void CheckText(const std::string& key) const {
+  [[nodiscard]] std::string Text(const std::string& key) const {
     const toml::node& node = Need(key);
-    if (node.value_exact<std::string>().value_or("").empty()) Fail(node, key + " is no text");
+    std::string text = node.value_exact<std::string>().value_or("");
+    if (text.empty()) Fail(node, key + " is no text");
+    return text;
   }
 
-  void CheckNumber(const std::string& key) const {
+  [[nodiscard]] std::int64_t Number(const std::string& key) const {
     const toml::node& node = Need(key);
     if (!node.is_integer() || *node.value<std::int64_t>() < 0) {
       Fail(node, key + " is no whole number from 0 on");
     }
+    return *node.value<std::int64_t>();
   }
 
   // The two keys of a pose.
-  void CheckPose(const std::string& pose) const {
-    static_cast<void>(Numbers(pose + "_position_m", 3));
+  [[nodiscard]] Eigen::Isometry3d Pose(const std::string& pose) const {
+    const std::vector<double> p = Numbers(pose + "_position_m", 3);
     const std::string key = pose + "_quaternion_xyzw";
-    double squares = 0.0;
-    for (const double part : Numbers(key, 4)) squares += part * part;
+    const std::vector<double> q = Numbers(key, 4);
+    const Eigen::Quaterniond rotation(q[3], q[0], q[1], q[2]);
     constexpr double kTolerance = 1e-3;
-    const double length = std::sqrt(squares);
-    if (std::abs(length - 1.0) <= kTolerance) return;
-    Fail(Need(key), key + " has length " + NumberToText(length) + "; 1 is due");
+    const double length = rotation.norm();
+    if (std::abs(length - 1.0) > kTolerance) {
+      Fail(Need(key), key + " has length " + NumberToText(length) + "; 1 is due");
+    }
+    return Eigen::Translation3d(p[0], p[1], p[2]) * rotation.normalized();
+  }
+
+  [[nodiscard]] double Scale() const {
+    const toml::node* const node = table_.get("scale");
+    if (node == nullptr) return 1.0;
+    const std::optional<double> scale = node->value<double>();
+    if (scale && !node->is_boolean() && std::isfinite(*scale) && *scale > 0.0) return *scale;
+    Fail(*node, "scale is no number above 0");
   }
 
  private:
@@ -91,22 +104,24 @@ class SceneTable {
 
 }  // namespace
 
-void CheckSceneFile(const std::filesystem::path& path) {
+SceneRecord ReadSceneFile(const std::filesystem::path& path) {
   const toml::table root = ReadTomlFile(path);
   if (root.empty()) throw Error({.path = path.string(), .reason = "the file is empty"});
   const SceneTable top(path, root, "");
-  top.CheckText("class");
-  top.CheckNumber("instance");
+  SceneRecord scene{.object_class = top.Text("class"), .instance = top.Number("instance")};
   const toml::table* const camera = root["camera"].as_table();
   if (camera == nullptr) FailWithout(path, "[camera]");
-  SceneTable(path, *camera, " in [camera]").CheckPose("base_from_camera");
+  scene.base_from_camera = SceneTable(path, *camera, " in [camera]").Pose("base_from_camera");
   const toml::array* const objects = root["objects"].as_array();
   if (objects == nullptr || objects->empty()) FailWithout(path, "[[objects]]");
   for (const toml::node& node : *objects) {
     const toml::table* const object = node.as_table();
     if (object == nullptr) FailWithout(path, "[[objects]]");
-    SceneTable(path, *object, " in one of [[objects]]").CheckPose("base_from_object");
+    scene.base_from_objects.push_back(
+        SceneTable(path, *object, " in one of [[objects]]").Pose("base_from_object"));
   }
+  scene.scale = top.Scale();
+  return scene;
 }
 
 }  // namespace handcraft::datasets

@@ -76,7 +76,7 @@ bool GraspCheck::IsInFrictionCone(const Vector3f& direction, const Vector3f& nor
   return inwards > 0.0F && direction.cross(normal).norm() <= rules_.friction * inwards;
 }
 
-GraspOutcome GraspCheck::FindContacts(const Isometry3f& object_from_grasp) const {
+std::optional<ClosingLine> GraspCheck::MeetSurface(const Isometry3f& object_from_grasp) const {
   const Vector3f closing = object_from_grasp.linear().col(0);
   const Vector3f centre = object_from_grasp.translation();
   const float opened_m = 0.5F * gripper_.max_opening_m;
@@ -84,44 +84,60 @@ GraspOutcome GraspCheck::FindContacts(const Isometry3f& object_from_grasp) const
   rays.Add(centre + opened_m * closing, -closing, kFarM);
   rays.Add(centre - opened_m * closing, closing, kFarM);
   const std::array<Hit, 4> hits = tracer_.Intersect(rays);
-  if (hits[0].mesh == Hit::kNothing || hits[1].mesh == Hit::kNothing) {
-    return {GraspFault::kNothingHeld, {}};
-  }
-  const Vector3f fingers_normal = NormalOf(hits[0].face);
-  const Vector3f thumb_normal = NormalOf(hits[1].face);
-  const ContactPlaces contacts{.thumb_m = hits[1].distance - opened_m,
-                               .fingers_m = opened_m - hits[0].distance};
+  if (hits[0].mesh == Hit::kNothing || hits[1].mesh == Hit::kNothing) return std::nullopt;
+  ClosingLine line{.contacts = {.thumb_m = hits[1].distance - opened_m,
+                                .fingers_m = opened_m - hits[0].distance},
+                   .fingers_normal = NormalOf(hits[0].face),
+                   .thumb_normal = NormalOf(hits[1].face)};
   // A ray that meets a back face began inside the object.
-  const bool begins_inside = closing.dot(fingers_normal) < 0.0F || closing.dot(thumb_normal) > 0.0F;
-  if (begins_inside) return {GraspFault::kTooWide, contacts};
-  if (std::max(hits[0].distance, hits[1].distance) > gripper_.max_opening_m) {
-    return {GraspFault::kNothingHeld, {}};
-  }
-  if (std::min(hits[0].distance, hits[1].distance) < gripper_.least_clearance_m) {
+  line.begins_inside =
+      closing.dot(line.fingers_normal) < 0.0F || closing.dot(line.thumb_normal) > 0.0F;
+  const bool is_beyond = std::max(hits[0].distance, hits[1].distance) > gripper_.max_opening_m;
+  if (is_beyond && !line.begins_inside) return std::nullopt;
+  return line;
+}
+
+bool GraspCheck::IsHeld(const ClosingLine& line, const Isometry3f& object_from_grasp) const {
+  const Vector3f closing = object_from_grasp.linear().col(0);
+  return IsInFrictionCone(-closing, line.fingers_normal) &&
+         IsInFrictionCone(closing, line.thumb_normal);
+}
+
+GraspOutcome GraspCheck::FindContacts(const Isometry3f& object_from_grasp) const {
+  const std::optional<ClosingLine> line = MeetSurface(object_from_grasp);
+  if (!line) return {GraspFault::kNothingHeld, {}};
+  const ContactPlaces& contacts = line->contacts;
+  const float opened_m = 0.5F * gripper_.max_opening_m;
+  const float clearance_m = opened_m - std::max(contacts.fingers_m, -contacts.thumb_m);
+  if (line->begins_inside || clearance_m < gripper_.least_clearance_m) {
     return {GraspFault::kTooWide, contacts};
   }
   if (std::abs(contacts.thumb_m + contacts.fingers_m) > 2.0F * rules_.off_centre_m) {
     return {GraspFault::kOffCentre, contacts};
   }
-  const bool holds =
-      IsInFrictionCone(-closing, fingers_normal) && IsInFrictionCone(closing, thumb_normal);
-  return {holds ? GraspFault::kNone : GraspFault::kSlips, contacts};
+  return {IsHeld(*line, object_from_grasp) ? GraspFault::kNone : GraspFault::kSlips, contacts};
 }
 
-GraspFault GraspCheck::CheckHand(const GripperBoxes& boxes) const {
+GraspFault GraspCheck::CheckTable(const GripperBoxes& boxes) const {
   const auto is_low = [&](const OrientedBox& box) {
     return Around(box).min().z() < rules_.table_clearance_m;
   };
-  if (std::any_of(boxes.begin(), boxes.end(), is_low)) return GraspFault::kNearTable;
+  return std::any_of(boxes.begin(), boxes.end(), is_low) ? GraspFault::kNearTable
+                                                         : GraspFault::kNone;
+}
+
+GraspFault GraspCheck::CheckObject(const GripperBoxes& boxes) const {
   const auto touches = [&](const OrientedBox& box) { return tree_.Touches(box); };
-  if (std::any_of(boxes.begin(), boxes.end(), touches)) return GraspFault::kTouchesObject;
-  return GraspFault::kNone;
+  return std::any_of(boxes.begin(), boxes.end(), touches) ? GraspFault::kTouchesObject
+                                                          : GraspFault::kNone;
 }
 
 GraspOutcome GraspCheck::Close(const Isometry3f& object_from_grasp) const {
   GraspOutcome outcome = FindContacts(object_from_grasp);
   if (outcome.fault != GraspFault::kNone) return outcome;
-  outcome.fault = CheckHand(SweptBoxes(gripper_, outcome.contacts, object_from_grasp));
+  const GripperBoxes boxes = SweptBoxes(gripper_, outcome.contacts, object_from_grasp);
+  outcome.fault = CheckTable(boxes);
+  if (outcome.fault == GraspFault::kNone) outcome.fault = CheckObject(boxes);
   return outcome;
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 #include "datasets/synthetic/gripper.h"
@@ -41,6 +42,16 @@ struct GraspRules {
   void Validate() const;
 };
 
+/// Where the closing axis meets the surface, from the opened fingers and from the opened thumb.
+struct ClosingLine {
+  ContactPlaces contacts;
+  Eigen::Vector3f fingers_normal = Eigen::Vector3f::Zero();  ///< unit, outwards
+  Eigen::Vector3f thumb_normal = Eigen::Vector3f::Zero();
+  /// Fingers or thumb would be within the object before they close; the contacts are then of no
+  /// use.
+  bool begins_inside = false;
+};
+
 /// What comes of closing the hand at a pose.
 struct GraspOutcome {
   GraspFault fault = GraspFault::kNone;
@@ -69,6 +80,20 @@ class GraspCheck {
   [[nodiscard]] const GraspRules& rules() const noexcept { return rules_; }
   [[nodiscard]] const RayTracer& tracer() const noexcept { return tracer_; }
 
+  /// None when nothing is on the closing axis between fingers and thumb.
+  [[nodiscard]] std::optional<ClosingLine> MeetSurface(
+      const Eigen::Isometry3f& object_from_grasp) const;
+
+  /// Whether both contacts hold what is between them: friction.
+  [[nodiscard]] bool IsHeld(const ClosingLine& line,
+                            const Eigen::Isometry3f& object_from_grasp) const;
+
+  /// kNearTable when a box is nearer to the table than the clearance.
+  [[nodiscard]] GraspFault CheckTable(const GripperBoxes& boxes) const;
+
+  /// kTouchesObject when a box touches the object's surface.
+  [[nodiscard]] GraspFault CheckObject(const GripperBoxes& boxes) const;
+
   /// Unit normal of a face, outwards.
   [[nodiscard]] Eigen::Vector3f NormalOf(std::uint32_t face) const;
 
@@ -79,7 +104,6 @@ class GraspCheck {
 
  private:
   [[nodiscard]] GraspOutcome FindContacts(const Eigen::Isometry3f& object_from_grasp) const;
-  [[nodiscard]] GraspFault CheckHand(const GripperBoxes& boxes) const;
 
   Mesh object_;
   Gripper gripper_;

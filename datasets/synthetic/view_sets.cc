@@ -22,7 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kGeneratorVersion = 1;  // raised when the same options give other bytes
 constexpr int kMaxViews = 10000;
 
 // One view to make.
@@ -177,7 +176,7 @@ std::string ViewSetToToml(std::string_view kind, const ViewSetOptions& options) 
       "kind = \"{}\"\ngenerator = {}\nfamily = \"{}\"\nsensor = \"{}\"\nseed = {}\nnum_views = {}\n"
       "camera_noise_m = {}\ncamera_noise_deg = {}\n",
       kind,
-      kGeneratorVersion,
+      kViewGeneratorVersion,
       NameOf(options.family),
       NameOf(options.sensor),
       options.seed,

@@ -43,6 +43,9 @@ struct ViewSetOptions {
   void Validate() const;
 };
 
+/// Raised when the same options give other bytes.
+inline constexpr int kViewGeneratorVersion = 1;
+
 /// The folders of a set of views.
 inline constexpr std::array<std::string_view, 5> kViewFolders = {
     "images", "object_masks", "clouds", "depth", "scenes"};

@@ -99,11 +99,13 @@ void ReadLibrary(const TomlTable& file, const fs::path& folder, GraspPlanOptions
   }
   if (!table.Has("position")) return;
   const std::string position = table.Text("position");
-  if (position != "grasp_point" && position != "demonstration") {
-    table.Fail(table.Node("position"), "'position' must be \"grasp_point\" or \"demonstration\"");
+  for (const GraspPosition value : {GraspPosition::kGraspPoint, GraspPosition::kDemonstration}) {
+    if (position == NameOf(value)) {
+      options.position = value;
+      return;
+    }
   }
-  options.position =
-      position == "grasp_point" ? GraspPosition::kGraspPoint : GraspPosition::kDemonstration;
+  table.Fail(table.Node("position"), "'position' must be \"grasp_point\" or \"demonstration\"");
 }
 
 void ReadRobot(const TomlTable& file, const fs::path& folder, GraspPlanOptions& options) {
@@ -143,6 +145,10 @@ void RequireGiven(bool is_given, const std::string& what, const std::string& rem
 }
 
 }  // namespace
+
+std::string_view NameOf(GraspPosition position) noexcept {
+  return position == GraspPosition::kGraspPoint ? "grasp_point" : "demonstration";
+}
 
 void GraspPlanOptions::Validate() const {
   RequireGiven(!grasp_library.empty(),

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace handcraft::experiments {
@@ -16,6 +17,8 @@ enum class GraspPosition {
   kGraspPoint,     ///< to p_g, as in the dissertation: a demonstration gives the rotation alone
   kDemonstration,  ///< to where the demonstration had it, brought to the object
 };
+/// Its name in files: grasp_point, demonstration.
+[[nodiscard]] std::string_view NameOf(GraspPosition position) noexcept;
 
 /// The components of grasp planning, one field each: another one is another value.
 struct GraspPlanOptions {

@@ -172,6 +172,15 @@ Image MaskAboveTable(const datasets::OrganisedCloud& cloud) {
   return mask;
 }
 
+Eigen::Isometry3f BaseFromGrasp(const GraspPlan& plan) {
+  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  const robot::Pose& pose = plan.base_from_grasp;
+  Eigen::Isometry3d isometry = Eigen::Isometry3d::Identity();
+  isometry.linear() = Eigen::Map<const RowMajor>(pose.rotation.data());
+  isometry.translation() = Eigen::Map<const Eigen::Vector3d>(pose.translation_m.data());
+  return isometry.cast<float>();
+}
+
 GraspPlanner::GraspPlanner(const GraspPlanOptions& options) : options_(options) {
   options.Validate();
   library_ = LoadKind(options.grasp_library, HC_KIND_GRASP_LIBRARY);
@@ -202,8 +211,9 @@ void GraspPlanner::LoadClasses() {
 }
 
 void GraspPlanner::TellClass(const GraspScene& scene, GraspPlan& plan) {
-  plan.object_class = options_.object_class;
-  if (!classifier_) return;
+  const bool is_told = !scene.object_class.empty();
+  plan.object_class = is_told ? scene.object_class : options_.object_class;
+  if (is_told || !classifier_) return;
   datasets::MaskedCloud object = datasets::CropToMask(scene.cloud, scene.object_mask);
   const CloudClass found = classifier_->Classify(
       datasets::TakeObjectCloud(std::move(object.cloud), std::move(object.mask), cloud_options_));
@@ -275,8 +285,9 @@ void GraspPlanner::TakeBestPixel(const GraspScene& scene, GraspPlan& plan) const
 }
 
 void GraspPlanner::FindPoint(const GraspScene& scene, GraspPlan& plan) const {
-  if (options_.grasp_pixel) {
-    TakePixel(scene, *options_.grasp_pixel, plan);
+  const auto& pixel = scene.grasp_pixel ? scene.grasp_pixel : options_.grasp_pixel;
+  if (pixel) {
+    TakePixel(scene, *pixel, plan);
   } else {
     TakeBestPixel(scene, plan);
   }

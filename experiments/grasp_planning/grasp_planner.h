@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -10,6 +11,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 #include "datasets/formats/organised_cloud.h"
 #include "datasets/object_clouds.h"
@@ -23,11 +26,14 @@
 
 namespace handcraft::experiments {
 
-/// What the robot sees: a picture, its cloud and which pixels are the object (not 0).
+/// What the robot sees: a picture, its cloud and which pixels are the object (not 0); and what it
+/// is told about this one, in place of what the planner's options say.
 struct GraspScene {
   Image image;
   datasets::OrganisedCloud cloud;
   Image object_mask;
+  std::optional<std::array<int, 2>> grasp_pixel = {};  ///< (u, v) of a click
+  std::string object_class = {};                       ///< empty: not told
 };
 
 /// The pixels of what stands on the table, by search-space reduction: no table, all measured
@@ -64,6 +70,9 @@ struct GraspPlan {
     return rejection_distance_m && !(grasp.distance_m <= *rejection_distance_m);
   }
 };
+
+/// plan.base_from_grasp, as the code of made-up objects takes poses.
+[[nodiscard]] Eigen::Isometry3f BaseFromGrasp(const GraspPlan& plan);
 
 /// Grasp planning, layer after layer (dissertation, chapter 4): p_g, the class, the turn about z,
 /// the nearest demonstration, joint values. Where the arm does not reach the nearest one, the next

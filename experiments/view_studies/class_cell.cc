@@ -40,13 +40,10 @@ void RequireConverged(const svm::Summary& summary) {
 std::vector<std::vector<bool>> RightAnswers(const ViewStudy& study, const AnswerCounts& answers) {
   std::vector<std::vector<bool>> is_right;
   for (const std::string& row : answers.rows) {
-    const auto entry = study.associations.find(row);
+    const std::vector<std::string> classes = RightClasses(study, row);
     std::vector<bool>& right = is_right.emplace_back();
     for (const std::string& column : answers.columns) {
-      right.push_back(entry == study.associations.end()
-                          ? column == row
-                          : std::find(entry->second.begin(), entry->second.end(), column) !=
-                                entry->second.end());
+      right.push_back(std::find(classes.begin(), classes.end(), column) != classes.end());
     }
   }
   return is_right;

@@ -9,11 +9,14 @@
 #include <cstdint>
 #include <ctime>
 #include <map>
+#include <optional>
 #include <utility>
 
+#include "datasets/view_folds.h"
 #include "experiments/grasp_planning/grasp_planner.h"
 #include "experiments/metrics/quantile.h"
 #include "experiments/object_classes/object_class_training.h"
+#include "experiments/view_studies/plan_judges.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 #include "lib/model_io/grasp_library_models.h"
@@ -24,17 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What became of a plan, in the order of the columns.
-enum class Outcome : std::uint8_t { kNearest, kNextNearest, kOutOfReach, kRejected, kOtherClass };
-constexpr std::array kOutcomes = {
-    "nearest reached", "next nearest reached", "out of reach", "too far", "other class"};
-
-Outcome OutcomeOf(const GraspPlan& plan, const std::string& true_class) {
-  if (plan.object_class != true_class) return Outcome::kOtherClass;
-  if (plan.IsRejected()) return Outcome::kRejected;
-  if (!plan.kinematics.IsSolved()) return Outcome::kOutOfReach;
-  return plan.rank == 0 ? Outcome::kNearest : Outcome::kNextNearest;
-}
+constexpr const char* kNoPlan = "no plan";
 
 void WriteClassifier(const ViewCell& cell, const datasets::ViewSet& views, const fs::path& path) {
   ObjectClassOptions options = cell.settings.classes;
@@ -69,19 +62,44 @@ GraspPlanOptions PlanOptions(const ViewCell& cell, const fs::path& models) {
                            .grasp_library = models / "grasp_library.safetensors",
                            .num_neighbours = static_cast<int>(settings.num_neighbours),
                            .robot = settings.robot};
+  options.position = settings.position;
   options.max_attempts = settings.max_attempts;
   return options;
 }
 
-GraspScene SceneOf(const datasets::ViewSet& views, std::size_t number) {
-  datasets::LoadedView view = datasets::ReadView(views, number);
-  if (!view.cloud) {
-    throw Error({.path = (views.root / views.items[number].image).string(),
-                 .reason = "the view has no cloud"});
+// The middle of the picture, or of the object's pixels.
+std::array<int, 2> ClickOn(const Image& mask, GraspClick click) {
+  std::array<std::int64_t, 2> sum = {};
+  std::int64_t count = 0;
+  for (int v = 0; v < mask.height() && click == GraspClick::kObject; ++v) {
+    for (int u = 0; u < mask.width(); ++u) {
+      if (mask.At(u, v) == 0) continue;
+      sum[0] += u;
+      sum[1] += v;
+      ++count;
+    }
   }
-  return {.image = std::move(view.image),
-          .cloud = std::move(*view.cloud),
-          .object_mask = std::move(view.object_mask)};
+  if (count == 0) return {mask.width() / 2, mask.height() / 2};
+  return {static_cast<int>(sum[0] / count), static_cast<int>(sum[1] / count)};
+}
+
+GraspScene SceneOf(const ViewStudy& study,
+                   const GraspSettings& settings,
+                   const datasets::ViewSet& views,
+                   std::size_t number) {
+  datasets::LoadedView view = datasets::ReadView(views, number);
+  const datasets::ObjectView& item = views.items[number];
+  if (!view.cloud) {
+    throw Error({.path = (views.root / item.image).string(), .reason = "the view has no cloud"});
+  }
+  GraspScene scene{.image = std::move(view.image),
+                   .cloud = std::move(*view.cloud),
+                   .object_mask = std::move(view.object_mask)};
+  if (settings.grasp_points.empty()) {
+    scene.grasp_pixel = ClickOn(scene.object_mask, settings.click);
+  }
+  if (settings.is_class_told) scene.object_class = RightClasses(study, item.object_class).front();
+  return scene;
 }
 
 // Times of all plans by the name of what was done [ms], in the order in which it is done.
@@ -119,12 +137,19 @@ double TableSearchMs(const GraspScene& scene) {
   return MsSince(start);
 }
 
-GraspPlan TimedPlan(GraspPlanner& planner,
-                    const GraspScene& scene,
-                    double table_search_ms,
-                    PlanTimes& times) {
+// None where the view does not allow of a plan.
+std::optional<GraspPlan> TimedPlan(GraspPlanner& planner,
+                                   const GraspScene& scene,
+                                   double table_search_ms,
+                                   PlanTimes& times) {
   const std::clock_t start = std::clock();
-  GraspPlan plan = planner.Plan(scene);
+  GraspPlan plan;
+  try {
+    plan = planner.Plan(scene);
+  } catch (const Error& error) {
+    if (error.details().kind != Error::Kind::kNoResult) throw;
+    return std::nullopt;
+  }
   const double processor_ms =
       1e3 * static_cast<double>(std::clock() - start) / static_cast<double>(CLOCKS_PER_SEC);
   plan.stages.front().time_ms += table_search_ms;
@@ -140,44 +165,50 @@ GraspPlan TimedPlan(GraspPlanner& planner,
   return plan;
 }
 
-AnswerCounts NoAnswers(const std::vector<std::string>& classes) {
-  AnswerCounts answers{.row_title = "object", .rows = classes, .counts = {}};
-  answers.columns.assign(kOutcomes.begin(), kOutcomes.end());
-  answers.counts.assign(classes.size(), std::vector<std::size_t>(kOutcomes.size()));
-  answers.is_right.assign(classes.size(), {true, true, false, false, false});
+AnswerCounts NoAnswers(const std::vector<std::string>& classes, const PlanJudge& judge) {
+  AnswerCounts answers{
+      .row_title = "object", .rows = classes, .columns = judge.outcomes, .counts = {}};
+  answers.columns.emplace_back(kNoPlan);
+  std::vector<bool> is_right = judge.is_right;
+  is_right.push_back(false);
+  answers.counts.assign(classes.size(), std::vector<std::size_t>(answers.columns.size()));
+  answers.is_right.assign(classes.size(), is_right);
   return answers;
+}
+
+PlanJudge JudgeOf(const ViewStudy& study, const datasets::ViewSet& views) {
+  return study.task == ViewTask::kGraspPlan ? JudgeByJointValues(study, views)
+                                            : JudgeByTrueShape(views);
 }
 
 }  // namespace
 
-ViewCellResult PlanGrasps(const ViewCell& cell,
-                          const datasets::ViewSet& views,
-                          const grasp_library::TrainingSet& shown,
+ViewCellResult PlanGrasps(const ViewStudy& study,
+                          const ViewCell& cell,
+                          const PlanData& data,
                           const fs::path& models,
                           const Progress& progress) {
   fs::create_directories(models);
   GraspPlanOptions options = PlanOptions(cell, models);
-  WriteClassifier(cell, views, options.object_class_model);
-  WriteLibrary(cell, shown, options.grasp_library);
+  WriteClassifier(cell, data.train, options.object_class_model);
+  WriteLibrary(cell, data.shown, options.grasp_library);
   const bool has_model = !options.grasp_point_model.empty();
-  if (!has_model) {
-    const Image first = datasets::ReadObjectMask(views, 0);
-    options.grasp_pixel = {first.width() / 2, first.height() / 2};
-  }
+  if (!has_model) options.grasp_pixel = {0, 0};  // each scene tells its own
   GraspPlanner planner(options);
-  ViewCellResult result{.id = cell.id, .answers = NoAnswers(shown.classes)};
+  const PlanJudge judge = JudgeOf(study, data.asked);
+  const datasets::ViewClasses classes = datasets::ClassesOf(data.asked);
+  ViewCellResult result{.id = cell.id, .answers = NoAnswers(classes.names, judge)};
   PlanTimes times;
-  for (std::size_t i = 0; i < views.items.size(); ++i) {
-    Report(progress, "planning", i, views.items.size());
-    const GraspScene scene = SceneOf(views, i);
-    const GraspPlan plan = TimedPlan(planner, scene, has_model ? TableSearchMs(scene) : 0.0, times);
-    const std::string& true_class = views.items[i].object_class;
-    const auto row = static_cast<std::size_t>(
-        std::find(shown.classes.begin(), shown.classes.end(), true_class) - shown.classes.begin());
-    ++result.answers.counts[row][static_cast<std::size_t>(OutcomeOf(plan, true_class))];
+  for (std::size_t i = 0; i < data.asked.items.size(); ++i) {
+    Report(progress, "planning", i, data.asked.items.size());
+    const GraspScene scene = SceneOf(study, cell.settings.grasps, data.asked, i);
+    const std::optional<GraspPlan> plan =
+        TimedPlan(planner, scene, has_model ? TableSearchMs(scene) : 0.0, times);
+    const std::size_t outcome = plan ? judge.outcome_of(i, *plan) : judge.outcomes.size();
+    ++result.answers.counts[classes.values[i]][outcome];
   }
   result.times = times.Medians();
-  for (std::size_t row = 0; row < shown.classes.size(); ++row) {
+  for (std::size_t row = 0; row < classes.names.size(); ++row) {
     result.groups.push_back(ShareOfRow(result.answers, row));
   }
   result.groups.push_back(ShareOfAll("all", result.groups));

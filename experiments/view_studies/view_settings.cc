@@ -166,6 +166,19 @@ constexpr std::array kKeys = {
         [](const Setting& setting, ViewSettings& settings) {
           settings.grasps.grasp_points = setting.value;
         }},
+    Key{"click",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.grasps.click = ParseWord(setting, {GraspClick::kPicture, GraspClick::kObject});
+        }},
+    Key{"told_class",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.grasps.is_class_told = ParseSwitch(setting);
+        }},
+    Key{"position",
+        [](const Setting& setting, ViewSettings& settings) {
+          settings.grasps.position =
+              ParseWord(setting, {GraspPosition::kGraspPoint, GraspPosition::kDemonstration});
+        }},
     Key{"num_classes",
         [](const Setting& setting, ViewSettings& settings) {
           settings.num_classes = ParseWithin(setting, std::size_t{0}, std::size_t{4096});
@@ -186,6 +199,10 @@ std::string_view NameOf(ClassRejection rejection) noexcept {
 
 std::string_view NameOf(HeldOutPart part) noexcept {
   return part == HeldOutPart::kDemonstration ? "demonstration" : "view";
+}
+
+std::string_view NameOf(GraspClick click) noexcept {
+  return click == GraspClick::kPicture ? "picture" : "object";
 }
 
 std::span<const std::string_view> ViewSettingKeys() { return kKeyNames; }

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "experiments/grasp_planning/grasp_plan_options.h"
 #include "experiments/object_classes/object_class_training.h"
 #include "experiments/runner/setting.h"
 #include "lib/features/object_rotation.h"
@@ -32,6 +33,13 @@ enum class ClassRejection : std::uint8_t {
 };
 [[nodiscard]] std::string_view NameOf(ClassRejection rejection) noexcept;
 
+/// Where to grasp, when no model tells it.
+enum class GraspClick : std::uint8_t {
+  kPicture,  ///< the middle of the picture, where a turntable has its object
+  kObject,   ///< the middle of the object's pixels
+};
+[[nodiscard]] std::string_view NameOf(GraspClick click) noexcept;
+
 /// Layer 3, and the plans that end with it.
 struct GraspSettings {
   std::size_t num_neighbours = 1;  ///< demonstrations averaged
@@ -39,7 +47,10 @@ struct GraspSettings {
   HeldOutPart held_out = HeldOutPart::kDemonstration;
   int max_attempts = 16;  ///< demonstrations tried until the arm reaches one
   std::string robot = "models/robots/dual_wam/right_arm.toml";  ///< robot file of the arm
-  std::string grasp_points = {};  ///< model that tells where to grasp; empty: the picture's middle
+  std::string grasp_points = {};  ///< model that tells where to grasp; empty: a click
+  GraspClick click = GraspClick::kPicture;
+  bool is_class_told = false;  ///< the right class, in place of the classifier's
+  GraspPosition position = GraspPosition::kGraspPoint;  ///< where the hand's grasp centre goes
 };
 
 /// What a cell of a study of views does: how it describes a cloud, how it tells classes apart, how

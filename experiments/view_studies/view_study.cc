@@ -109,8 +109,8 @@ ViewSource ParseSource(const TomlTable& table, StudySize size) {
 void ParseData(const TomlTable& data, StudySize size, ViewStudy& study) {
   data.AllowOnly(std::array<std::string_view, 3>{"train", "test", "demonstrations"});
   study.train = ParseSource(data.Table("train"), size);
-  const bool may_have_test =
-      study.task == ViewTask::kObjectClass || study.task == ViewTask::kObjectRotation;
+  const bool is_plan = IsOfPlans(study.task);
+  const bool may_have_test = study.task != ViewTask::kNearestDemonstration;
   if (data.Has("test") && !may_have_test) {
     data.Fail(data.Node("test"),
               fmt::format("{} asks about [data.train]", NameOf(study.task)),
@@ -122,8 +122,10 @@ void ParseData(const TomlTable& data, StudySize size, ViewStudy& study) {
               fmt::format("{} asks about all of a folder", NameOf(study.task)),
               "leave split out");
   }
-  if (data.Has("demonstrations") != (study.task == ViewTask::kGraspPlan)) {
-    data.Fail(data.table(), "[data.demonstrations] goes with the task grasp-plan, which needs it");
+  if (data.Has("demonstrations") != is_plan) {
+    data.Fail(
+        data.table(),
+        "[data.demonstrations] goes with the tasks grasp-plan and grasp-success, which need it");
   }
   if (!data.Has("demonstrations")) return;
   const TomlTable table = data.Table("demonstrations");
@@ -140,20 +142,24 @@ ViewTask ParseTask(const TomlTable& top) {
   for (const ViewTask task : {ViewTask::kObjectClass,
                               ViewTask::kObjectRotation,
                               ViewTask::kNearestDemonstration,
-                              ViewTask::kGraspPlan}) {
+                              ViewTask::kGraspPlan,
+                              ViewTask::kGraspSuccess}) {
     if (name == NameOf(task)) return task;
     names.append(names.empty() ? "" : ", ").append(NameOf(task));
   }
   top.Fail(top.Node("task"), "task is \"" + name + "\"", "give one of: " + names);
 }
 
-void ParseAssociations(const TomlTable& top, ViewStudy& study) {
-  if (!top.Has("association")) return;
-  const TomlTable table = top.Table("association");
-  for (const auto& [key, value] : table.table()) {
-    const std::string name(key.str());
-    study.associations[name] = ParseTexts(table, name);
+// Lists of texts by name.
+std::map<std::string, std::vector<std::string>> ParseLists(const TomlTable& top,
+                                                           std::string_view key) {
+  std::map<std::string, std::vector<std::string>> lists;
+  if (!top.Has(key)) return lists;
+  const TomlTable table = top.Table(key);
+  for (const auto& [name, value] : table.table()) {
+    lists[std::string(name.str())] = ParseTexts(table, name.str());
   }
+  return lists;
 }
 
 void ParseClaims(const TomlTable& top, ViewStudy& study) {
@@ -196,6 +202,10 @@ std::string TextOf(const ViewSource& source) {
 
 }  // namespace
 
+bool IsOfPlans(ViewTask task) noexcept {
+  return task == ViewTask::kGraspPlan || task == ViewTask::kGraspSuccess;
+}
+
 std::string_view NameOf(ViewTask task) noexcept {
   switch (task) {
     case ViewTask::kObjectClass:
@@ -206,8 +216,15 @@ std::string_view NameOf(ViewTask task) noexcept {
       return "nearest-demonstration";
     case ViewTask::kGraspPlan:
       return "grasp-plan";
+    case ViewTask::kGraspSuccess:
+      return "grasp-success";
   }
   return "";
+}
+
+std::vector<std::string> RightClasses(const ViewStudy& study, const std::string& object_class) {
+  const auto entry = study.associations.find(object_class);
+  return entry == study.associations.end() ? std::vector{object_class} : entry->second;
 }
 
 bool IsViewStudy(std::string_view text, const std::string& source) {
@@ -217,12 +234,13 @@ bool IsViewStudy(std::string_view text, const std::string& source) {
 ViewStudy ParseViewStudy(std::string_view text, const std::string& source, StudySize size) {
   const toml::table parsed = ParseToml(text, source);
   const TomlTable top(source, parsed, "");
-  top.AllowOnly(std::array<std::string_view, 10>{"name",
+  top.AllowOnly(std::array<std::string_view, 11>{"name",
                                                  "title",
                                                  "question",
                                                  "task",
                                                  "data",
                                                  "association",
+                                                 "groups",
                                                  "settings",
                                                  "method",
                                                  "grid",
@@ -234,7 +252,8 @@ ViewStudy ParseViewStudy(std::string_view text, const std::string& source, Study
   study.task = ParseTask(top);
   const TomlTable data = top.Table("data");
   ParseData(data, size, study);
-  ParseAssociations(top, study);
+  study.associations = ParseLists(top, "association");
+  study.groups = ParseLists(top, "groups");
   study.settings = ParseStudySettings(top, size, Rules());
   study.methods = ParseMethods(top, size, Rules());
   study.factors = ParseGrid(top, size, Rules(), study.methods);
@@ -269,6 +288,9 @@ std::vector<std::string> CanonicalLines(const ViewStudy& study) {
   }
   for (const auto& [name, right] : study.associations) {
     lines.push_back(fmt::format("association.{} = {}", name, fmt::join(right, ", ")));
+  }
+  for (const auto& [name, classes] : study.groups) {
+    lines.push_back(fmt::format("groups.{} = {}", name, fmt::join(classes, ", ")));
   }
   const auto add = [&](const std::string& owner, const std::vector<Setting>& settings) {
     for (const Setting& setting : settings) {

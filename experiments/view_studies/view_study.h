@@ -28,8 +28,14 @@ enum class ViewTask : std::uint8_t {
   /// From picture and cloud to joint values, and how long each layer takes (Table 4.5). Needs
   /// `demonstrations`.
   kGraspPlan,
+  /// As kGraspPlan, and whether the hand would hold the true object at the pose that was planned
+  /// (Figures 4.8 to 4.10). Views are made ones.
+  kGraspSuccess,
 };
 [[nodiscard]] std::string_view NameOf(ViewTask task) noexcept;
+
+/// Whether a grasp is planned for every view.
+[[nodiscard]] bool IsOfPlans(ViewTask task) noexcept;
 
 /// Where views come from: a folder, or made to order.
 struct ViewSource {
@@ -55,10 +61,12 @@ struct ViewStudy {
   ViewSource train;
   /// None: each view of `train` in turn is left out and asked about.
   std::optional<ViewSource> test = {};
-  std::optional<ViewSource> demonstrations = {};  ///< demonstration set, of kGraspPlan
+  std::optional<ViewSource> demonstrations = {};  ///< demonstration set, of plans
   /// Of a class of `test` the classes of `train` that are right for it, or kNoneOfThese; one that
   /// is not named is right as itself.
   std::map<std::string, std::vector<std::string>> associations = {};
+  /// Groups of classes that are asked about, counted together beside "all".
+  std::map<std::string, std::vector<std::string>> groups = {};
   std::vector<Setting> settings = {};  ///< of all cells, before their own
   std::vector<Method> methods = {};    ///< at least one
   std::vector<Factor> factors = {};
@@ -66,6 +74,11 @@ struct ViewStudy {
   std::map<std::string, double> claims = {};  ///< percent right that a publication has, by group
   std::map<std::string, double> claimed_ms = {};  ///< and times, by the names of ours
 };
+
+/// The classes of `train` that are right for a class of `test`: itself, where the study associates
+/// none with it.
+[[nodiscard]] std::vector<std::string> RightClasses(const ViewStudy& study,
+                                                    const std::string& object_class);
 
 /// Whether a study file is one of views: it has the key `task`.
 [[nodiscard]] bool IsViewStudy(std::string_view text, const std::string& source);

@@ -94,14 +94,15 @@ BarFigure TimesFigure(const ViewStudyRun& run) {
   return figure;
 }
 
-// Views of a kind of object in each bin.
-BarFigure::Series HistogramOf(const ViewCellResult& result, const std::string& kind) {
+// How many views of the rows that are counted have each answer.
+BarFigure::Series HistogramOf(const ViewCellResult& result,
+                              const std::function<bool(std::size_t row)>& is_counted) {
   const AnswerCounts& answers = result.answers;
   BarFigure::Series series{.name = result.id, .bars = {}};
   for (std::size_t column = 0; column < answers.columns.size(); ++column) {
     double sum = 0.0;
     for (std::size_t row = 0; row < answers.rows.size(); ++row) {
-      if (answers.kinds[row] == kind) sum += static_cast<double>(answers.counts[row][column]);
+      if (is_counted(row)) sum += static_cast<double>(answers.counts[row][column]);
     }
     series.bars.push_back({sum, sum, sum});
   }
@@ -120,7 +121,19 @@ BarFigure HistogramFigure(const ViewStudyRun& run, const std::string& kind) {
     figure.groups.push_back(bin % kNamedBins == 0 ? bins[bin] : "");
   }
   for (const ViewCellResult& result : run.results) {
-    figure.series.push_back(HistogramOf(result, kind));
+    figure.series.push_back(
+        HistogramOf(result, [&](std::size_t row) { return result.answers.kinds[row] == kind; }));
+  }
+  return figure;
+}
+
+BarFigure OutcomesFigure(const ViewStudyRun& run) {
+  BarFigure figure{.title = run.study.title,
+                   .y_label = "views",
+                   .groups = run.results.front().answers.columns,
+                   .series = {}};
+  for (const ViewCellResult& result : run.results) {
+    figure.series.push_back(HistogramOf(result, [](std::size_t) { return true; }));
   }
   return figure;
 }
@@ -276,6 +289,7 @@ bool HasNumbers(const Factor& factor) {
 std::vector<NamedFigure> ViewStudyFigures(const ViewStudyRun& run) {
   std::vector<NamedFigure> figures = {{"right_answers", SharesFigure(run)}};
   if (run.study.task == ViewTask::kObjectRotation) AddHistograms(run, figures);
+  if (IsOfPlans(run.study.task)) figures.push_back({"outcomes", OutcomesFigure(run)});
   if (!run.study.claimed_ms.empty()) figures.push_back({"layer_times", TimesFigure(run)});
   for (const Factor& factor : run.study.factors) {
     if (HasNumbers(factor)) AddFiguresAgainst(run, factor.key, figures);

@@ -15,6 +15,7 @@ namespace handcraft::experiments {
 ///   apart, of the groups of many rows alone;
 /// - rotation_histogram_KIND (task kObjectRotation; dissertation, Figure 4.7): how many views were
 ///   found how far from the actual turn, a figure a kind of symmetry;
+/// - outcomes (tasks of plans): how many views ended how;
 /// - layer_times: the times that the publication has too, but for their sum, logarithmic;
 /// - right, position_error, rotation_error and times against each factor whose values are numbers
 ///   (NAME_by_FACTOR), a line a method;

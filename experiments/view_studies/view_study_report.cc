@@ -140,6 +140,30 @@ std::string InputsText(const ViewStudyRun& run) {
                             EscapeHtml(datasets::Fingerprint(run.train)));
 }
 
+// What became of the plans of a cell: a row an object and group.
+ReportTable OutcomesTable(const ViewCellResult& result) {
+  ReportTable table{.head = {"object"}};
+  const AnswerCounts& answers = result.answers;
+  table.head.insert(table.head.end(), answers.columns.begin(), answers.columns.end());
+  table.head.emplace_back("right");
+  for (std::size_t row = 0; row < answers.rows.size(); ++row) {
+    std::vector<std::string> cells = {answers.rows[row]};
+    for (const std::size_t count : answers.counts[row]) cells.push_back(NumberToText(count));
+    cells.push_back(ShareText(result.groups[row].share));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+std::string OutcomesSection(const ViewStudyRun& run) {
+  if (!IsOfPlans(run.study.task)) return "";
+  std::string text = "## Outcomes\n\n";
+  for (const ViewCellResult& result : run.results) {
+    text += fmt::format("{}:\n\n{}", result.id, MarkdownText(OutcomesTable(result)));
+  }
+  return text;
+}
+
 std::string ErrorsSection(const ViewStudyRun& run) {
   const ReportTable errors = ErrorsTable(run);
   return errors.rows.empty() ? "" : "## Errors of the answers kept\n\n" + MarkdownText(errors);
@@ -150,8 +174,8 @@ std::string SummaryText(const ViewStudyRun& run) {
   if (!run.study.question.empty()) text += run.study.question + "\n\n";
   for (const std::string& verdict : Verdicts(run)) text += "- " + verdict + "\n";
   text += "\n## Right answers\n\nWith 95 % intervals (Wilson).\n\n" +
-          MarkdownText(SharesTable(run)) + ErrorsSection(run) + "## Times\n\n" +
-          MarkdownText(TimesTable(run)) + "## Inputs\n\n";
+          MarkdownText(SharesTable(run)) + OutcomesSection(run) + ErrorsSection(run) +
+          "## Times\n\n" + MarkdownText(TimesTable(run)) + "## Inputs\n\n";
   for (const std::string& line : CanonicalLines(run.study)) text += "- " + line + "\n";
   return text + "- views: " + datasets::Fingerprint(run.train) + "\n";
 }

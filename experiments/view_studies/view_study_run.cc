@@ -3,6 +3,7 @@
 
 #include "experiments/view_studies/view_study_run.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,6 +19,7 @@
 #include "experiments/view_studies/plan_cell.h"
 #include "experiments/view_studies/rotation_cell.h"
 #include "experiments/view_studies/view_data.h"
+#include "lib/core/error.h"
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
 #include "lib/core/option_rules.h"
@@ -73,6 +75,27 @@ std::string TimesCsv(const std::vector<ViewCellResult>& results) {
   return CsvText(table);
 }
 
+// The groups that the study names, beside those of the cell.
+void AddGroups(const ViewStudy& study, ViewCellResult& result) {
+  for (const auto& [name, classes] : study.groups) {
+    std::vector<GroupShare> parts;
+    for (const std::string& object_class : classes) {
+      const auto found = std::find_if(result.groups.begin(),
+                                      result.groups.end(),
+                                      [&](const GroupShare& g) { return g.name == object_class; });
+      if (found == result.groups.end()) {
+        throw Error({.kind = Error::Kind::kUsage,
+                     .reason = fmt::format("groups.{}: \"{}\" is none of the objects that are "
+                                           "asked about",
+                                           name,
+                                           object_class)});
+      }
+      parts.push_back(*found);
+    }
+    result.groups.push_back(ShareOfAll(name, parts));
+  }
+}
+
 std::vector<ViewCellResult> WorkOutCells(const ViewStudyRun& run,
                                          const fs::path& demonstrations,
                                          const ViewStudyRunOptions& options) {
@@ -91,8 +114,12 @@ std::vector<ViewCellResult> WorkOutCells(const ViewStudyRun& run,
       case ViewTask::kNearestDemonstration:
         return FindHeldOut(cell, shown, options.num_threads);
       case ViewTask::kGraspPlan:
-        return PlanGrasps(
-            cell, run.train, shown, options.out / "models" / cell.id, options.progress);
+      case ViewTask::kGraspSuccess:
+        return PlanGrasps(run.study,
+                          cell,
+                          {run.train, shown, test == nullptr ? run.train : *test},
+                          options.out / "models" / cell.id,
+                          options.progress);
     }
     return ViewCellResult{};
   };
@@ -100,6 +127,7 @@ std::vector<ViewCellResult> WorkOutCells(const ViewStudyRun& run,
   for (const ViewCell& cell : run.cells) {
     Report(options.progress, "cells", results.size(), run.cells.size());
     results.push_back(work_out(cell));
+    AddGroups(run.study, results.back());
   }
   Report(options.progress, "cells", run.cells.size(), run.cells.size());
   return results;

@@ -19,15 +19,15 @@ namespace {
 using ::testing::HasSubstr;
 using testing::TemporaryDirectory;
 
-class CheckSceneFileTest : public ::testing::Test {
+class ReadSceneFileTest : public ::testing::Test {
  protected:
-  void Check(const std::string& text) const {
+  [[nodiscard]] SceneRecord Read(const std::string& text) const {
     WriteFileAtomically(folder_ / "a.toml", text);
-    CheckSceneFile(folder_ / "a.toml");
+    return ReadSceneFile(folder_ / "a.toml");
   }
 
   void Refuses(const std::string& text, const std::string& message) const {
-    EXPECT_THROWS_MESSAGE((Check(text), 0), Error, HasSubstr("a.toml" + message));
+    EXPECT_THROWS_MESSAGE(static_cast<void>(Read(text)), Error, HasSubstr("a.toml" + message));
   }
 
   // The sound file with `now` in the place of `before`.
@@ -43,22 +43,40 @@ class CheckSceneFileTest : public ::testing::Test {
   TemporaryDirectory folder_;
 };
 
-TEST_F(CheckSceneFileTest, PassesWhatTellsThePoses) {
+TEST_F(ReadSceneFileTest, TellsThePosesAndPassesOverOtherKeys) {
   const std::string sound(testing::kSmallSceneFile);
-  Check(sound);
-  Check("angle_deg = 30\n" + sound + "\n[files]\nsha256 = \"0\"\n");
-  Check(sound + sound.substr(sound.find("\n[[objects]]")));
+  const SceneRecord scene = Read("angle_deg = 30\n" + sound + "\n[files]\nsha256 = \"0\"\n");
+  EXPECT_EQ(scene.object_class, "mug");
+  EXPECT_EQ(scene.instance, 3);
+  EXPECT_EQ(scene.base_from_camera.translation(), Eigen::Vector3d(0.0, 0.0, 0.5));
+  EXPECT_TRUE((scene.base_from_camera * Eigen::Vector3d(1.0, 2.0, 3.0))
+                  .isApprox(Eigen::Vector3d(1.0, -2.0, -2.5)));
+  ASSERT_EQ(scene.base_from_objects.size(), 1U);
+  const Eigen::Isometry3d& object = scene.base_from_objects.front();
+  EXPECT_EQ(object.translation(), Eigen::Vector3d(0.25, 1e-3, 0.0));
+  EXPECT_TRUE(object.linear().col(0).isApprox(Eigen::Vector3d(0.28, 0.96, 0.0)));
+  EXPECT_EQ(Read(sound + sound.substr(sound.find("\n[[objects]]"))).base_from_objects.size(), 2U);
 }
 
-TEST_F(CheckSceneFileTest, RefusesWhatIsEmptyOrNoToml) {
+TEST_F(ReadSceneFileTest, AScaleMayBeMissing) {
+  const std::string sound(testing::kSmallSceneFile);
+  EXPECT_EQ(Read(sound).scale, 1.0);
+  EXPECT_EQ(Read("scale = 1.25\n" + sound).scale, 1.25);
+  for (const char* wrong : {"0", "-1.0", "inf", "true", "\"1\""}) {
+    Refuses("scale = " + std::string(wrong) + "\n" + sound, ":1: scale is no number above 0");
+  }
+}
+
+TEST_F(ReadSceneFileTest, RefusesWhatIsEmptyOrNoToml) {
   Refuses("", ": the file is empty");
   Refuses("\n# nothing\n", ": the file is empty");
   Refuses("class = \"mug\"\nx\n", ":2: not TOML: ");
-  EXPECT_THROWS_MESSAGE(
-      (CheckSceneFile(folder_ / "gone.toml"), 0), Error, HasSubstr("gone.toml: cannot open"));
+  EXPECT_THROWS_MESSAGE(static_cast<void>(ReadSceneFile(folder_ / "gone.toml")),
+                        Error,
+                        HasSubstr("gone.toml: cannot open"));
 }
 
-TEST_F(CheckSceneFileTest, NamesWhatIsMissing) {
+TEST_F(ReadSceneFileTest, NamesWhatIsMissing) {
   Refuses("x = 1\n", ":1: no class (see docs/datasets.md, Scene)");
   RefusesWith("instance = 3\n", "", ":1: no instance (see");
   RefusesWith("[camera]", "[Camera]", ": no table [camera] (see");
@@ -71,7 +89,7 @@ TEST_F(CheckSceneFileTest, NamesWhatIsMissing) {
       "base_from_object_quat", "q", ":8: no base_from_object_quaternion_xyzw in one of [[obj");
 }
 
-TEST_F(CheckSceneFileTest, NamesTheLineOfWhatIsNoPose) {
+TEST_F(ReadSceneFileTest, NamesTheLineOfWhatIsNoPose) {
   RefusesWith("\"mug\"", "1", ":1: class is no text");
   RefusesWith("= 3", "= -1", ":2: instance is no whole number from 0 on");
   RefusesWith("[0, 0, 0.5]", "[0, 0]", ":5: base_from_camera_position_m is no list of 3 finite");
@@ -84,10 +102,10 @@ TEST_F(CheckSceneFileTest, NamesTheLineOfWhatIsNoPose) {
 }
 
 // Law: wherever a scene is cut, it is refused, or all its poses are there.
-TEST_F(CheckSceneFileTest, RefusesEveryTruncation) {
+TEST_F(ReadSceneFileTest, RefusesEveryTruncation) {
   const std::string sound(testing::kSmallSceneFile);
   for (std::size_t size = 0; size + 1 < sound.size(); ++size) {
-    EXPECT_THROW(Check(sound.substr(0, size)), Error) << size;
+    EXPECT_THROW(static_cast<void>(Read(sound.substr(0, size))), Error) << size;
   }
 }
 

@@ -3,6 +3,8 @@
 
 #include "experiments/view_studies/plan_cell.h"
 
+#include <limits>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,6 +23,7 @@ using ::testing::HasSubstr;
 class PlanGraspsTest : public ::testing::Test {
  protected:
   void SetUp() override {
+    study_.task = ViewTask::kGraspPlan;
     cell_.settings.classes.descriptor.grid_size = 8;
     cell_.settings.classes.outlier_step = 0.0;
     cell_.settings.grasps.robot = HANDCRAFT_SOURCE_DIR "/models/robots/dual_wam/right_arm.toml";
@@ -28,14 +31,16 @@ class PlanGraspsTest : public ::testing::Test {
   ViewCellResult Plan(double x_m) {
     datasets::testing::WriteSmallSet(folder_ / "set", {0.0, 30.0, 60.0}, x_m);
     const datasets::ViewSet views = datasets::ReadViewSet(folder_ / "set");
-    return PlanGrasps(cell_,
-                      views,
-                      DescribeInput(ReadGraspLibraryInput(views, folder_ / "set"), 1, {}),
-                      folder_ / "models",
-                      {});
+    return PlanFor(views, views);
+  }
+  ViewCellResult PlanFor(const datasets::ViewSet& views, const datasets::ViewSet& asked) {
+    const grasp_library::TrainingSet shown =
+        DescribeInput(ReadGraspLibraryInput(views, folder_ / "set"), 1, {});
+    return PlanGrasps(study_, cell_, {views, shown, asked}, folder_ / "models", {});
   }
 
   testing::TemporaryDirectory folder_;
+  ViewStudy study_;
   ViewCell cell_{.id = "click", .method = "click", .factors = {}, .settings = {}};
 };
 
@@ -69,6 +74,41 @@ TEST_F(PlanGraspsTest, CountsWhatIsOutOfReachAndTooFar) {
   const ViewCellResult rejected = Plan(0.0);
   EXPECT_EQ(rejected.answers.columns[3], "too far");
   EXPECT_EQ(rejected.answers.counts[1][3], 3U);
+}
+
+TEST_F(PlanGraspsTest, ViewsThatAllowOfNoPlanAreCounted) {
+  datasets::testing::WriteSmallSet(folder_ / "set", {0.0, 30.0, 60.0}, 0.0);
+  const datasets::ViewSet views = datasets::ReadViewSet(folder_ / "set");
+  datasets::ViewSet asked = views;
+  datasets::OrganisedCloud cloud = *datasets::ReadView(views, 0).cloud;
+  cloud.points.assign(cloud.points.size(),
+                      Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+  asked.items[0].cloud = "clouds/empty.pcd";
+  datasets::WritePcd(views.root / asked.items[0].cloud, cloud);
+  const ViewCellResult result = PlanFor(views, asked);
+  EXPECT_EQ(result.answers.columns.back(), "no plan");
+  EXPECT_EQ(result.answers.counts[0].back(), 1U);
+  EXPECT_EQ(result.groups.back().num_right, 5U);
+}
+
+TEST_F(PlanGraspsTest, AClassMayBeToldAndAssociated) {
+  datasets::testing::WriteSmallSet(folder_ / "set", {0.0, 30.0, 60.0}, 0.0);
+  const datasets::ViewSet views = datasets::ReadViewSet(folder_ / "set");
+  datasets::ViewSet novel = views;
+  for (datasets::ObjectView& view : novel.items) view.object_class = "plank";
+  EXPECT_EQ(PlanFor(views, novel).groups.back().num_right, 0U) << "nothing is right for it";
+  cell_.settings.grasps.is_class_told = true;
+  study_.associations["plank"] = {"board"};
+  const ViewCellResult result = PlanFor(views, novel);
+  EXPECT_THAT(result.answers.rows, ElementsAre("plank"));
+  EXPECT_EQ(result.groups.back().num_right, 6U) << "the wedges' too, by what is told";
+}
+
+TEST_F(PlanGraspsTest, AClickMayBeOnTheObject) {
+  datasets::testing::WriteSmallSet(folder_ / "set", {0.0, 30.0, 60.0}, 0.0);
+  const datasets::ViewSet views = datasets::ReadViewSet(folder_ / "set");
+  cell_.settings.grasps.click = GraspClick::kObject;
+  EXPECT_EQ(PlanFor(views, views).groups.back().num_right, 6U);
 }
 
 TEST_F(PlanGraspsTest, NamesARobotThatIsNotThere) {

@@ -45,6 +45,9 @@ TEST(ViewSettings, EveryKeyIsTaken) {
                                          {"attempts", "3"},
                                          {"robot", "arm.toml"},
                                          {"grasp_points", "p.safetensors"},
+                                         {"click", "object"},
+                                         {"told_class", "yes"},
+                                         {"position", "demonstration"},
                                          {"num_classes", "4"}});
   EXPECT_EQ(settings.classes.descriptor.type, features::CloudDescriptorType::kPolar);
   EXPECT_EQ(settings.classes.descriptor.grid_size, 20);
@@ -75,7 +78,10 @@ TEST(ViewSettings, EveryKeyIsTaken) {
   EXPECT_EQ(settings.grasps.robot, "arm.toml");
   EXPECT_EQ(settings.grasps.grasp_points, "p.safetensors");
   EXPECT_EQ(settings.rejection, ClassRejection::kCalibrated);
-  EXPECT_EQ(ViewSettingKeys().size(), 25U) << "a new key is tried here";
+  EXPECT_EQ(settings.grasps.click, GraspClick::kObject);
+  EXPECT_TRUE(settings.grasps.is_class_told);
+  EXPECT_EQ(settings.grasps.position, GraspPosition::kDemonstration);
+  EXPECT_EQ(ViewSettingKeys().size(), 28U) << "a new key is tried here";
 }
 
 TEST(ViewSettings, RefuseWhatDoesNotFit) {

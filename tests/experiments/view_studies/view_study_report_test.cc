@@ -56,7 +56,10 @@ TEST(WriteViewStudyReport, PutsPublishedTimesBesideOurs) {
   const fs::path out = folder / "out";
   static_cast<void>(WriteViewStudyReport(out, RunViewStudy(study, {.out = out})));
   EXPECT_THAT(ReadTextFile(out / "summary.md"),
-              HasSubstr("| Table 4.5 | – | 103 | – | – | – | 346 | – | – |"));
+              AllOf(HasSubstr("| Table 4.5 | – | 103 | – | – | – | 346 | – | – |"),
+                    HasSubstr("## Outcomes\n\nclick:\n\n| object | nearest reached | next near"),
+                    HasSubstr("| board | 2 | 0 | 0 | 0 | 0 | 0 | 100.0 % [34")));
+  EXPECT_TRUE(fs::exists(out / "figures/outcomes.svg"));
   EXPECT_THAT(ReadTextFile(out / "figures/layer_times.gnuplot"), HasSubstr("object_class_ms"));
   EXPECT_TRUE(fs::exists(out / "models/click/grasp_library.safetensors"));
 }

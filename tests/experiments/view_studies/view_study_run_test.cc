@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "datasets/synthetic/demonstrations.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
 #include "tests/datasets/small_views.h"
@@ -56,6 +57,52 @@ TEST(RunViewStudy, LooksForDemonstrations) {
   EXPECT_THROWS_MESSAGE(static_cast<void>(RunViewStudy(study, {.out = folder / "out"})),
                         Error,
                         HasSubstr("data.demonstrations"));
+}
+
+// A study of made views from end to end: a turntable, poses shown on it, and the same objects
+// moved.
+TEST(RunViewStudy, TellsWhichGraspsWouldHold) {
+  const TemporaryDirectory folder;
+  handcraft::testing::MakeSmallViews(folder / "moved", 2, synthetic::ViewSetKind::kMoved);
+  static_cast<void>(
+      synthetic::MakeDemonstrations(folder / "shown",
+                                    {.views = {.family = synthetic::Family::kRegrasp,
+                                               .num_views = 4,
+                                               .sensor = synthetic::CloudSensor::kPerfect,
+                                               .camera = synthetic::testing::SmallCamera()},
+                                     .poses_per_view = 20}));
+  ViewStudy study{
+      .name = "held",
+      .title = "Held",
+      .task = ViewTask::kGraspSuccess,
+      .train = {.folder = (folder / "shown").string()},
+      .test = ViewSource{.folder = (folder / "moved").string()},
+      .demonstrations = ViewSource{.folder = (folder / "shown").string()},
+      .groups = {{"bottles", {"water_bottle", "spray_bottle"}}},
+      .settings = {{"grid_size", "8"},
+                   {"click", "object"},
+                   {"position", "demonstration"},
+                   {"robot", HANDCRAFT_SOURCE_DIR "/models/robots/dual_wam/right_arm.toml"}},
+      .methods = {{"class_told", {{"told_class", "yes"}}}}};
+  const ViewStudyRun run = RunViewStudy(study, {.out = folder / "one"});
+  const ViewCellResult& result = run.results.front();
+  EXPECT_THAT(result.answers.rows,
+              ::testing::ElementsAre("water_bottle", "spray_bottle", "coffee_can", "drill"));
+  EXPECT_EQ(result.answers.columns.front(), "held");
+  EXPECT_EQ(result.groups[4].name, "all");
+  EXPECT_EQ(result.groups[4].num_views, 8U);
+  EXPECT_GE(result.groups[4].num_right, 1U) << "some grasp holds";
+  EXPECT_EQ(result.groups[5].name, "bottles");
+  EXPECT_EQ(result.groups[5].num_views, 4U);
+  EXPECT_EQ(result.groups[5].num_right, result.groups[0].num_right + result.groups[1].num_right);
+  static_cast<void>(RunViewStudy(study, {.out = folder / "two", .num_threads = 2}));
+  for (const char* file : {"results.csv", "answers.csv"}) {
+    EXPECT_EQ(ReadTextFile(folder / "one" / file), ReadTextFile(folder / "two" / file));
+  }
+  study.groups["bottles"] = {"jug"};
+  EXPECT_THROWS_MESSAGE(static_cast<void>(RunViewStudy(study, {.out = folder / "three"})),
+                        Error,
+                        HasSubstr("groups.bottles: \"jug\" is none of the objects"));
 }
 
 TEST(RunViewStudy, RefusesOtherInputsInTheSameFolder) {

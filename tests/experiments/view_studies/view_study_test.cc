@@ -101,7 +101,8 @@ TEST(ViewStudy, MayAskForPlans) {
   std::string text = Minimal("folder = \"f\"",
                              "[data.demonstrations]\nmade = \"taught\"\nviews = 12\nposes = 40\n"
                              "[claim]\nsource = \"Table 4.5\"\n[claim.times]\nall_ms = 346\n");
-  EXPECT_THROWS_MESSAGE(static_cast<void>(Parse(text)), Error, HasSubstr("task grasp-plan"));
+  EXPECT_THROWS_MESSAGE(
+      static_cast<void>(Parse(text)), Error, HasSubstr("tasks grasp-plan and grasp-s"));
   text.replace(text.find("object-class"), 12, "grasp-plan");
   const ViewStudy study = Parse(text);
   EXPECT_EQ(study.task, ViewTask::kGraspPlan);
@@ -112,6 +113,26 @@ TEST(ViewStudy, MayAskForPlans) {
   text.replace(text.find("poses = 40"), 10, "seed = 4");
   EXPECT_THROWS_MESSAGE(
       static_cast<void>(Parse(text)), Error, HasSubstr("made demonstrations need poses"));
+}
+
+TEST(ViewStudy, MayAskWhetherPlansHoldOtherViews) {
+  std::string text = Minimal("made = \"taught\"\nviews = 2",
+                             "[data.demonstrations]\nmade = \"taught\"\nviews = 2\nposes = 4\n"
+                             "[data.test]\nmade = \"untaught\"\nkind = \"moved\"\nviews = 2\n"
+                             "[groups]\nboxes = [\"dvd_case\", \"rectangular_box\"]\n");
+  text.replace(text.find("object-class"), 12, "grasp-success");
+  const ViewStudy study = Parse(text);
+  EXPECT_EQ(study.task, ViewTask::kGraspSuccess);
+  ASSERT_TRUE(study.test);
+  EXPECT_THAT(study.groups.at("boxes"), ElementsAre("dvd_case", "rectangular_box"));
+  EXPECT_THAT(CanonicalLines(study),
+              ::testing::Contains("groups.boxes = dvd_case, rectangular_box"));
+}
+
+TEST(RightClasses, AreThoseAssociatedOrTheClassItself) {
+  const ViewStudy study = Parse(std::string(kWhole));
+  EXPECT_THAT(RightClasses(study, "box"), ElementsAre("can", "drill"));
+  EXPECT_THAT(RightClasses(study, "drill"), ElementsAre("drill"));
 }
 
 TEST(ViewStudy, EverythingThatChangesAResultIsInItsLines) {
