@@ -85,7 +85,8 @@ TEST(ImportFormats, PairLabelsBesidePictures) {
   const Image mask = datasets::ReadMask(set, 0);
   EXPECT_EQ(mask.At(19, 10), datasets::kMaskGood) << "handle";
   EXPECT_EQ(mask.At(10, 10), datasets::kMaskBad) << "wall";
-  EXPECT_THAT(RunLine(line + "/no --label-suffix _grasp").err, HasSubstr("left out, the first of 2: no mask: expected "));
+  EXPECT_THAT(RunLine(line + "/no --label-suffix _grasp").err,
+              HasSubstr("left out, the first of 2: no mask: expected "));
 }
 
 TEST(ImportFormats, MakeViewsOfTurntables) {

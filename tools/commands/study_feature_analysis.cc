@@ -15,6 +15,7 @@
 #include "datasets/formats/labelled_image_set.h"
 #include "experiments/feature_analysis/feature_analysis.h"
 #include "experiments/feature_analysis/feature_analysis_report.h"
+#include "experiments/feature_analysis/feature_analysis_tables.h"
 #include "experiments/runner/pinned_inputs.h"
 #include "lib/core/fields.h"
 #include "lib/core/file.h"

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "experiments/feature_analysis/feature_analysis_tables.h"
 #include "tests/experiments/feature_analysis/some_analysis.h"
 
 namespace handcraft::experiments {
