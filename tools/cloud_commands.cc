@@ -41,14 +41,18 @@ experiments::CountsAs ParseCountsAs(const std::vector<std::string>& pairs) {
 // Empty when the model rejects nothing and need not.
 std::string RejectionText(const svm::Rejection& rejection) {
   if (std::isfinite(rejection.threshold)) {
-    return fmt::format(
-        "None of these below a margin of {:.4g}: {} of {} novel views found, {} of {} known ones "
-        "lost\n",
-        rejection.threshold,
-        rejection.num_novel_rejected,
-        rejection.num_novel,
-        rejection.num_known_rejected,
-        rejection.num_known);
+    std::string counts;
+    if (rejection.num_novel > 0) {
+      counts = fmt::format(
+          " {} of {} novel views found", rejection.num_novel_rejected, rejection.num_novel);
+    }
+    if (rejection.num_known > 0) {
+      counts += fmt::format("{} {} of {} known views lost",
+                            counts.empty() ? "" : ",",
+                            rejection.num_known_rejected,
+                            rejection.num_known);
+    }
+    return fmt::format("None of these below a margin of {:.4g}:{}\n", rejection.threshold, counts);
   }
   if (rejection.num_novel == 0) return "";
   return "The model has no threshold and takes everything for one of its classes: train it with "

@@ -29,17 +29,19 @@ std::string CloudPath(const datasets::ViewSet& set, const datasets::ObjectView& 
 
 }  // namespace
 
-void RequireNovel(const datasets::ViewSet& novel, const datasets::ViewSet& known) {
-  std::set<std::string> classes;
+void RequireNovel(const datasets::ViewSet& novel,
+                  const datasets::ViewSet& known,
+                  const std::vector<std::string>& classes) {
+  const std::set<std::string> to_tell(classes.begin(), classes.end());
   std::set<std::string> instances;
   std::set<std::string> clouds;
   for (const datasets::ObjectView& view : known.items) {
-    classes.insert(view.object_class);
+    if (!to_tell.contains(view.object_class)) continue;
     instances.insert(view.instance);
     clouds.insert(CloudPath(known, view));
   }
   for (const datasets::ObjectView& view : novel.items) {
-    if (classes.contains(view.object_class)) {
+    if (to_tell.contains(view.object_class)) {
       RefuseKnown(novel, view, "its class '" + view.object_class + "' is one to tell");
     }
     if (instances.contains(view.instance)) {

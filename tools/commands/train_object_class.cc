@@ -118,7 +118,10 @@ std::string ToText(const TrainedObjectClass& trained) {
   const ObjectClassTraining& training = trained.training;
   const std::vector<std::size_t> rows = CountRows(training);
   const std::vector<std::size_t> support_vectors = CountSupportVectors(training);
-  TextTable classes({"class", "views and copies", "support vectors"});
+  // Classes that were there and have no views are told from by their support vectors.
+  TextTable classes({"class",
+                     trained.parent.empty() ? "views and copies" : "views, copies or vectors",
+                     "support vectors"});
   for (std::size_t c = 0; c < rows.size(); ++c) {
     classes.AddRow(
         {training.model.classes[c], std::to_string(rows[c]), std::to_string(support_vectors[c])});
@@ -182,6 +185,21 @@ std::vector<std::uint8_t> ModelBytes(const TrainObjectClassOptions& options,
       model_io::MakeObjectClassModel(training.model, object.View(), provenance));
 }
 
+// Only what a robot would load.
+model_io::ObjectClassModel ReadOldModel(const std::string& path) {
+  static_cast<void>(experiments::LoadModel(path));
+  return model_io::ReadObjectClassModel(model_io::Parse(ReadFile(path), path));
+}
+
+// Those that the model is to tell.
+std::vector<std::string> ClassesToTell(const TrainObjectClassOptions& options,
+                                       const datasets::ViewSet& set) {
+  if (options.growth.new_class.empty()) return datasets::ClassesOf(set).names;
+  std::vector<std::string> classes = ReadOldModel(options.growth.model).classes;
+  classes.push_back(options.growth.new_class);
+  return classes;
+}
+
 // More folds than views would leave some empty.
 void RequireFoldsFit(const TrainObjectClassOptions& options, const datasets::ViewSet& set) {
   if (!options.is_folds_given) return;
@@ -203,7 +221,8 @@ void RequireFoldsFit(const TrainObjectClassOptions& options, const datasets::Vie
 
 // Read and compared before the long work.
 std::optional<datasets::ViewSet> ReadNovelViews(const TrainObjectClassOptions& options,
-                                                const datasets::ViewSet& known) {
+                                                const datasets::ViewSet& known,
+                                                const std::vector<std::string>& classes) {
   if (options.novel.path.empty()) return std::nullopt;
   if (options.training.num_folds == 0) {
     throw Error({.kind = Error::Kind::kUsage,
@@ -213,7 +232,7 @@ std::optional<datasets::ViewSet> ReadNovelViews(const TrainObjectClassOptions& o
   const datasets::ViewSet whole = datasets::ReadViewSet(options.novel.path);
   RequireNotAnInput(options.Target(), FilesOf(whole));
   datasets::ViewSet novel = datasets::OnlySplit(whole, options.novel_split);
-  experiments::RequireNovel(novel, known);
+  experiments::RequireNovel(novel, known, classes);
   return novel;
 }
 
@@ -221,12 +240,8 @@ void AddNewClass(const TrainObjectClassOptions& options,
                  const datasets::ViewSet& set,
                  experiments::ObjectClassOptions training,
                  TrainedObjectClass& trained) {
-  const std::string& path = options.growth.model;
-  const std::vector<std::uint8_t> bytes = ReadFile(path);
-  static_cast<void>(experiments::LoadModel(path));  // only what a robot would load
-  const model_io::ObjectClassModel model =
-      model_io::ReadObjectClassModel(model_io::Parse(bytes, path));
-  trained.parent = Sha256Hex(bytes);
+  const model_io::ObjectClassModel model = ReadOldModel(options.growth.model);
+  trained.parent = Sha256Hex(ReadFile(options.growth.model));
   // Views are held out for the threshold alone: the point is to train few machines.
   if (options.novel.path.empty()) training.num_folds = 0;
   trained.training = experiments::AddObjectClass(model, set, options.growth.new_class, training);
@@ -236,7 +251,8 @@ void AddNewClass(const TrainObjectClassOptions& options,
 TrainedObjectClass Train(const TrainObjectClassOptions& options,
                          const datasets::ViewSet& set,
                          const experiments::ObjectClassOptions& training) {
-  const std::optional<datasets::ViewSet> novel = ReadNovelViews(options, set);
+  const std::optional<datasets::ViewSet> novel =
+      ReadNovelViews(options, set, ClassesToTell(options, set));
   TrainedObjectClass trained;
   if (!options.growth.new_class.empty()) {
     AddNewClass(options, set, training, trained);

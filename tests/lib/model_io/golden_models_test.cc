@@ -149,7 +149,7 @@ TEST(GoldenModels, AreWrittenAgainAsTheyAre) {
     const std::vector<std::uint8_t> bytes = ReadFile(entry.path());
     EXPECT_EQ(model_io::Serialise(model_io::Parse(bytes, entry.path())), bytes) << entry.path();
   }
-  EXPECT_EQ(num_files, 6);
+  EXPECT_EQ(num_files, 8);
 }
 
 }  // namespace

@@ -15,8 +15,9 @@ namespace {
 
 // Three classes told apart by every third number of a histogram, or none of them.
 handcraft::model_io::ModelFile SomeHistogramModel(handcraft::features::CloudDescriptorType type) {
-  using namespace handcraft;
-  model_io::ObjectClassModel model = testing::SomeObjectClasses();
+  namespace features = handcraft::features;
+  namespace testing = handcraft::testing;
+  handcraft::model_io::ObjectClassModel model = testing::SomeObjectClasses();
   model.descriptor = {.type = type, .grid_size = 8, .frame = features::CloudFrame::kCamera};
   const std::size_t p = model.descriptor.NumFeatures();
   model.svm.feature_mean.assign(p, 0.0);
