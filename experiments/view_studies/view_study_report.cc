@@ -39,17 +39,17 @@ std::string PublishedText(const std::map<std::string, double>& published, const 
   return found == published.end() ? "–" : NumberToText(found->second);
 }
 
-// A row a group, a column a cell, and one of what was published.
+// A row a group, a column a cell, before them what was published.
 ReportTable SharesTable(const ViewStudyRun& run) {
   ReportTable table{.head = {"right of [%]"}};
-  for (const ViewCellResult& result : run.results) table.head.push_back(result.id);
   if (!run.study.claims.empty()) table.head.push_back(run.study.claim_source);
+  for (const ViewCellResult& result : run.results) table.head.push_back(result.id);
   for (const std::string& name : GroupNames(run.results)) {
     std::vector<std::string> row = {name};
+    if (!run.study.claims.empty()) row.push_back(PublishedText(run.study.claims, name));
     for (const ViewCellResult& result : run.results) {
       row.push_back(TextOf(FindGroup(result, name)));
     }
-    if (!run.study.claims.empty()) row.push_back(PublishedText(run.study.claims, name));
     table.rows.push_back(std::move(row));
   }
   return table;

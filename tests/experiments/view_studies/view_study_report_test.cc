@@ -32,7 +32,7 @@ TEST(WriteViewStudyReport, TellsSharesAnswersAndVerdicts) {
     EXPECT_EQ(fs::exists(out / "figures/rotation_histogram_half_turn.svg"),
               task == ViewTask::kObjectRotation);
     const std::string summary = ReadTextFile(out / "summary.md");
-    EXPECT_THAT(summary, HasSubstr("| right of [%] | poly | linear | nowhere |"));
+    EXPECT_THAT(summary, HasSubstr("| right of [%] | nowhere | poly | linear |"));
     EXPECT_EQ(summary.find("nowhere has 100.00 %") != std::string::npos,
               task == ViewTask::kObjectClass);
   }
