@@ -3,6 +3,8 @@
 
 #include "datasets/stored_set.h"
 
+#include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,6 +35,21 @@ constexpr const char* kHold =
     "right_x_m,right_y_m,right_z_m,right_qx,right_qy,right_qz,right_qw,"
     "left_x_m,left_y_m,left_z_m,left_qx,left_qy,left_qz,left_qw\n"
     "mug,mug,mug_0.png,base,grasp_centre,0,0,0,0,0,0,1,0,0,0,0,0,0,2\n";
+
+TEST(OpenSet, TheShippedViewsAreWhole) {
+  const std::filesystem::path root = HANDCRAFT_SOURCE_DIR "/datasets/samples/turntable_mini";
+  const StoredSet set = OpenSet(root);
+  EXPECT_THAT(std::get<ViewSet>(set.pictures).items, SizeIs(12));
+  EXPECT_TRUE(set.has_demonstrations);
+  const CheckedSet checked = CheckSet(set);
+  EXPECT_THAT(checked.faults, IsEmpty());
+  EXPECT_EQ(checked.num_demonstrations, 120U);
+  std::uintmax_t num_bytes = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
+    if (entry.is_regular_file()) num_bytes += entry.file_size();
+  }
+  EXPECT_LT(num_bytes, 300000U);
+}
 
 TEST(OpenSet, KnowsAllKinds) {
   const TemporaryDirectory labelled;

@@ -87,7 +87,7 @@ TEST(DataPreview, DrawsBothHandsOfHolds) {
   const auto json = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(json["num_images"], 1);
   EXPECT_EQ(json["width_px"], 240);
-  EXPECT_THAT(RunLine(line + " --holds --poses").err, HasSubstr("--holds excludes --poses"));
+  EXPECT_THAT(RunLine(line + " --holds --poses").err, HasSubstr("--poses excludes --holds"));
   EXPECT_THAT(RunLine(line + " --poses-per-view 5").err, HasSubstr("give --poses or --holds"));
 }
 
