@@ -23,9 +23,8 @@ namespace handcraft::synthetic {
 ///     the hand yields as it does to a person. Its part along z, in which the table does not let
 ///     the object move, is at most off_centre_m: kOffCentre;
 ///  4. the line between the contacts lies in both friction cones (kSlips);
-///  5. all that the hand passes through while it closes, the object at rest in its last place,
-///  keeps
-///     off table and object.
+///  5. all that the hand passes through while it closes keeps off table and object, which rests in
+///     its last place.
 /// A pose at which Close finds no fault has none here. The contacts of the outcome are those after
 /// the push.
 ///
