@@ -33,7 +33,7 @@ struct GraspPlanOptions {
   bool take_nearest_class = false;
   std::filesystem::path grasp_library = {};  ///< layers 2 and 3
   int num_neighbours = 1;                    ///< demonstrations averaged; 1 to 32
-  GraspPosition position = GraspPosition::kGraspPoint;
+  GraspPosition position = GraspPosition::kDemonstration;
   /// Demonstrations of the class at that angle that are tried, nearest first, until the arm reaches
   /// one; 1 to 64. Those after the first only where their distance from p_g is at most
   /// max_attempt_distance_m (0: any) and the library's own limit.
@@ -63,7 +63,7 @@ struct GraspPlanOptions {
 ///     [grasp_library]
 ///     model = "grasp_library.safetensors"
 ///     neighbours = 1                         # optional
-///     position = "grasp_point"               # or "demonstration"
+///     position = "demonstration"             # optional; or "grasp_point"
 ///     attempts = 16                          # optional
 ///     attempt_distance_m = 0.05              # optional
 ///     [robot]

@@ -145,11 +145,11 @@ ReportTable OutcomesTable(const ViewCellResult& result) {
   ReportTable table{.head = {"object"}};
   const AnswerCounts& answers = result.answers;
   table.head.insert(table.head.end(), answers.columns.begin(), answers.columns.end());
-  table.head.emplace_back("right");
+  table.head.emplace_back("right [%]");
   for (std::size_t row = 0; row < answers.rows.size(); ++row) {
     std::vector<std::string> cells = {answers.rows[row]};
     for (const std::size_t count : answers.counts[row]) cells.push_back(NumberToText(count));
-    cells.push_back(ShareText(result.groups[row].share));
+    cells.push_back(TextOf(&result.groups[row]));
     table.rows.push_back(std::move(cells));
   }
   return table;

@@ -38,7 +38,7 @@ name = "mug"
 [grasp_library]
 model = "library.safetensors"
 neighbours = 3
-position = "demonstration"
+position = "grasp_point"
 attempts = 5
 attempt_distance_m = 0.03
 [robot]
@@ -53,7 +53,7 @@ grasp_centre_xyzw = [0, 0, 1, 0]
   EXPECT_EQ(options.object_class, "mug");
   EXPECT_EQ(options.grasp_library, folder_ / "library.safetensors");
   EXPECT_EQ(options.num_neighbours, 3);
-  EXPECT_EQ(options.position, GraspPosition::kDemonstration);
+  EXPECT_EQ(options.position, GraspPosition::kGraspPoint);
   EXPECT_EQ(options.max_attempts, 5);
   EXPECT_EQ(options.max_attempt_distance_m, 0.03);
   EXPECT_EQ(options.robot, "/robots/arm.toml");
@@ -73,7 +73,7 @@ TEST_F(GraspPlanFile, AnotherComponentIsAnotherLine) {
 TEST_F(GraspPlanFile, OfNothingLeavesTheDefaults) {
   const GraspPlanOptions options = Read("");
   EXPECT_EQ(options.num_neighbours, 1);
-  EXPECT_EQ(options.position, GraspPosition::kGraspPoint);
+  EXPECT_EQ(options.position, GraspPosition::kDemonstration);
   EXPECT_EQ(options.grasp_centre_m[2], 0.175);
 }
 

@@ -102,6 +102,7 @@ class GraspPlannerTest : public ::testing::Test {
 };
 
 TEST_F(GraspPlannerTest, BringsTheHandAndNotTheFlangeToThePoint) {
+  options_.position = GraspPosition::kGraspPoint;
   GraspPlanner planner(options_);
   const GraspPlan plan = planner.Plan(scene_);
   EXPECT_EQ(plan.u_px, 8);
@@ -143,13 +144,20 @@ TEST_F(GraspPlannerTest, TurnsTheHandWithTheObject) {
   EXPECT_NEAR(std::atan2(approach[1], approach[0]), std::numbers::pi / 6.0, 1e-9);
 }
 
-TEST_F(GraspPlannerTest, MayPutTheHandWhereItWasShown) {
-  options_.position = GraspPosition::kDemonstration;
+TEST_F(GraspPlannerTest, PutsTheHandWhereItWasShown) {
   const GraspPlan plan = Plan();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     EXPECT_EQ(plan.base_from_grasp.translation_m[axis], plan.grasp.position_m[axis]);
   }
   EXPECT_GT(std::fabs(plan.grasp.position_m[2] - plan.point_m[2]), 1e-3);
+}
+
+TEST_F(GraspPlannerTest, MayPutTheHandAtTheGraspPoint) {
+  options_.position = GraspPosition::kGraspPoint;
+  const GraspPlan plan = Plan();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    EXPECT_EQ(plan.base_from_grasp.translation_m[axis], plan.point_m[axis]);
+  }
 }
 
 TEST_F(GraspPlannerTest, AClickBesideTheObjectTakesTheNearestMeasuredPixel) {

@@ -58,7 +58,7 @@ TEST(WriteViewStudyReport, PutsPublishedTimesBesideOurs) {
   EXPECT_THAT(ReadTextFile(out / "summary.md"),
               AllOf(HasSubstr("| Table 4.5 | – | 103 | – | – | – | 346 | – | – |"),
                     HasSubstr("## Outcomes\n\nclick:\n\n| object | nearest reached | next near"),
-                    HasSubstr("| board | 2 | 0 | 0 | 0 | 0 | 0 | 100.0 % [34")));
+                    HasSubstr("| board | 2 | 0 | 0 | 0 | 0 | 0 | 100.0 [34")));
   EXPECT_TRUE(fs::exists(out / "figures/outcomes.svg"));
   EXPECT_THAT(ReadTextFile(out / "figures/layer_times.gnuplot"), HasSubstr("object_class_ms"));
   EXPECT_TRUE(fs::exists(out / "models/click/grasp_library.safetensors"));

@@ -111,7 +111,7 @@ TEST(ReadImage, AppliesTheRotationTag) {
 // Adversary: the standard knows the tags 1 to 8.
 TEST(ReadImage, TakesAnUnknownRotationTagForNone) {
   const testing::TemporaryDirectory folder;
-  for (const std::uint16_t orientation : {0, 9, 65535}) {
+  for (const std::uint16_t orientation : std::array<std::uint16_t, 3>{0, 9, 65535}) {
     testing::WriteTurnedJpeg(folder / "turned.jpg", 32, 16, orientation);
     const Image image = ReadImage(folder / "turned.jpg");
     ASSERT_EQ(image.width(), 32) << orientation;

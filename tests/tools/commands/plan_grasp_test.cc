@@ -35,7 +35,7 @@ class PlanGrasp : public ::testing::Test {
     WriteFileAtomically(folder_ / "plan.toml",
                         "[grasp_point]\npixel = [8, 5]\n[object_class]\nname = \"board\"\n"
                         "[grasp_library]\nmodel = \"library.safetensors\"\n[robot]\nfile = \"" +
-                            kArm + "\"\n");
+                            std::filesystem::absolute(kArm).string() + "\"\n");
   }
 
   void TrainLibrary(const std::string& max_distance_m) const {
