@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "datasets/formats/hold_set.h"
 #include "lib/core/file.h"
 #include "lib/perception/image_io.h"
 #include "tests/datasets/small_demonstration_set.h"
