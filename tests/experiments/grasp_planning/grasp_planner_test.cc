@@ -324,6 +324,7 @@ TEST_F(GraspPlannerTest, SaysHowFarAnUnreachableGraspIs) {
 
 // The nearest demonstrations come from below the table.
 TEST_F(GraspPlannerTest, TriesTheNextNearestWhereTheNearestIsOutOfReach) {
+  options_.position = GraspPosition::kGraspPoint;
   WriteUpsideDownFirst();
   const GraspPlan plan = Plan();
   ASSERT_TRUE(plan.kinematics.IsSolved());
@@ -338,6 +339,7 @@ TEST_F(GraspPlannerTest, TriesTheNextNearestWhereTheNearestIsOutOfReach) {
 }
 
 TEST_F(GraspPlannerTest, TriesNoneThatIsTooFar) {
+  options_.position = GraspPosition::kGraspPoint;
   WriteUpsideDownFirst();
   options_.max_attempt_distance_m = 0.9 * Plan().grasp.distance_m;
   EXPECT_EQ(Plan().num_attempts, 2U);

@@ -60,7 +60,7 @@ TEST(MakeStudyPage, ShowsConfusionBesideTheDissertationsForDiscriminantAnalysis)
   EXPECT_THAT(MakeStudyPage(run, SummariseStudy(run, 1), {}, {}),
               AllOf(HasSubstr("<h2>Confusion matrices beside the dissertation</h2>"),
                     HasSubstr(">54.20</td>"),
-                    HasSubstr("edge, ridge = 2, at its class ratio</th>")));
+                    HasSubstr("edge,<wbr> ridge = 2,<wbr> at its class ratio</th>")));
 }
 
 TEST(MakeStudyPage, LoadsNothingFromOutsideAndEscapesNames) {

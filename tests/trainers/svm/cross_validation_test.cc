@@ -121,10 +121,12 @@ TEST(CrossValidate, ThreadsChangeNoBit) {
 TEST(StratifiedFolds, HoldTheSameShareOfEveryClass) {
   const std::vector<std::uint32_t> classes = {0, 1, 0, 0, 1, 0, 0};
   EXPECT_EQ(StratifiedFolds(classes, 2), (std::vector<std::uint32_t>{0, 0, 1, 0, 1, 1, 0}));
-  EXPECT_THROWS_MESSAGE(
-      StratifiedFolds(classes, 3), Error, HasSubstr("num_folds is 3; it must be from 2 to 2"));
-  EXPECT_THROWS_MESSAGE(
-      StratifiedFolds(classes, 1), Error, HasSubstr("num_folds is 1; it must be from 2 to 2"));
+  EXPECT_THROWS_MESSAGE(StratifiedFolds(classes, 3),
+                        Error,
+                        HasSubstr("the number of folds is 3; it must be from 2 to 2"));
+  EXPECT_THROWS_MESSAGE(StratifiedFolds(classes, 1),
+                        Error,
+                        HasSubstr("the number of folds is 1; it must be from 2 to 2"));
 }
 
 TEST(CrossValidate, RefusesAFoldThatHoldsAWholeClass) {
