@@ -182,6 +182,7 @@ TEST_F(ListBopTest, NamesThePlaceOfAFault) {
 TEST_F(ListBopTest, LeavesOutWhatIsNotThereOrNotSeen) {
   const auto texts_of = [](const std::vector<Fault>& notes) {
     std::vector<std::string> texts;
+    texts.reserve(notes.size());
     for (const Fault& note : notes) {
       texts.push_back(fs::path(note.path).filename().string() + ": " + note.reason);
     }
