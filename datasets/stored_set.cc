@@ -33,13 +33,14 @@ std::size_t AddRowFaults(RowFindings findings, std::vector<Fault>& faults) {
   return findings.num_rows;
 }
 
-// A made-up set tells its kind; the list of that kind cannot be missing but by a loss.
-void RequireListOfKind(const fs::path& root) {
+// A made-up set tells its kind; the lists of that kind cannot be missing but by a loss.
+void RequireListsOfKind(const fs::path& root) {
   const fs::path file = root / kMadeUpFileName;
   if (!Exists(file)) return;
   const std::string kind = ReadTomlFile(file)["kind"].value_or(std::string());
   for (const auto& [name, kind_of_list] : {std::pair(kDemonstrationsFileName, "demonstrations"),
-                                           std::pair(kHoldsFileName, "regrasp")}) {
+                                           std::pair(kHoldsFileName, "regrasp"),
+                                           std::pair(kDemonstrationsFileName, "regrasp")}) {
     if (kind != kind_of_list || KindOf(root / name) != PathKind::kNothing) continue;
     throw Error({.path = (root / name).string(),
                  .reason = "is not there; " + std::string(kMadeUpFileName) +
@@ -128,7 +129,7 @@ CheckedSet CheckSet(const StoredSet& set, int num_threads, const Progress& progr
         for (const auto& item : pictures.items) AddFilesOf(item, files);
       },
       set.pictures);
-  CollectFaults(set.root(), checked.faults, [&] { RequireListOfKind(set.root()); });
+  CollectFaults(set.root(), checked.faults, [&] { RequireListsOfKind(set.root()); });
   NoteUnlisted(files, set.root(), checked.faults);
   if (set.has_demonstrations) {
     checked.num_demonstrations = AddRowFaults(CheckDemonstrations(set.root()), checked.faults);

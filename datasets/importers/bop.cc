@@ -25,6 +25,7 @@
 #include "datasets/importers/omissions.h"
 #include "datasets/importers/source_tree.h"
 #include "lib/core/error.h"
+#include "lib/core/fields.h"
 #include "lib/core/option_rules.h"
 #include "lib/perception/image_io.h"
 
@@ -233,12 +234,16 @@ struct BopPicture {
   BopView view;        // what all its views have in common
 };
 
+std::string NameOfView(const std::string& digits, std::size_t number) {
+  return digits + "_" + SixDigits(static_cast<std::int64_t>(number));
+}
+
 // Adds the view of the object of this number, if its files are there.
 void AddView(const BopPicture& picture,
              const JsonValue& object,
              std::size_t number,
              BopScenes& found) {
-  const std::string name = picture.digits + "_" + SixDigits(static_cast<std::int64_t>(number));
+  const std::string name = NameOfView(picture.digits, number);
   BopView view = picture.view;
   view.mask = picture.scene / "mask_visib" / (name + ".png");
   if (view.image.empty()) {
@@ -277,7 +282,13 @@ void ListScene(const fs::path& scene,
                               .margin_px = options.margin_px}};
     if (!HasFile(shown.view.depth)) shown.view.depth.clear();
     for (std::size_t i = 0; i < objects.size(); ++i) {
-      if (shares[i] >= options.min_visible) AddView(shown, objects[i], i, found);
+      if (shares[i] >= options.min_visible) {
+        AddView(shown, objects[i], i, found);
+      } else {
+        found.omissions.LeaveOut(
+            scene / "mask_visib" / (NameOfView(digits, i) + ".png"),
+            "less than " + NumberToText(options.min_visible) + " of the object is seen");
+      }
     }
   }
 }
@@ -305,6 +316,10 @@ SourceSet ListBop(const fs::path& source, const BopOptions& options) {
   BopScenes found;
   const auto is_scene = [](const fs::path& path) { return path.filename() == "scene_gt.json"; };
   for (const fs::path& file : ListFiles(source, std::numeric_limits<int>::max(), is_scene)) {
+    if (file.filename() == "scene_camera.json" && !HasFile(file.parent_path() / "scene_gt.json")) {
+      found.omissions.LeaveOut(file.parent_path() / "scene_gt.json",
+                               "no such list, which tells what the scene shows");
+    }
     if (!is_scene(file)) continue;
     ++found.num_scenes;
     const fs::path scene = file.parent_path();

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "datasets/formats/mask_picture.h"
+#include "datasets/importers/omissions.h"
 #include "lib/core/check.h"
 #include "lib/core/error.h"
 #include "lib/core/file.h"
@@ -106,10 +107,18 @@ void LeaveOutNeighboursOfTheTest(SourceSet& source) {
     first = std::min(first.value_or(*picture.number), *picture.number);
   }
   if (!first) return;
+  Omissions omissions;
   std::erase_if(source.pictures, [&](const SourcePicture& picture) {
-    return picture.split == "train" && picture.number &&
-           *first - *picture.number < source.split_gap;
+    const bool is_near =
+        picture.split == "train" && picture.number && *first - *picture.number < source.split_gap;
+    if (is_near) {
+      omissions.LeaveOut(picture.path,
+                         "its number is less than " + std::to_string(source.split_gap) +
+                             " below the first of the test, and it may show the same object");
+    }
+    return is_near;
   });
+  for (Fault& note : omissions.Notes()) source.notes.push_back(std::move(note));
 }
 
 }  // namespace

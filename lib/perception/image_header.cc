@@ -152,18 +152,24 @@ ImageHeader ReadFrame(const File& file, std::size_t at) {
   return {"JPEG", static_cast<int>(width), static_cast<int>(height), channels == 1};
 }
 
-bool IsAdobeMarker(const File& file, std::size_t at) {
+// Adobe's mark of four inks: CMYK (0) or YCCK (2).
+bool TellsOfInks(const File& file, std::size_t at) {
   constexpr std::uint32_t kApp14 = 0xEE;
-  return file.BigEndian(at + 1, 1) == kApp14 && file.BigEndian(at + 2, 2) >= 14 &&
-         StartsWith(file.bytes.subspan(at + 4), "Adobe");
+  if (file.BigEndian(at + 1, 1) != kApp14 || file.BigEndian(at + 2, 2) < 14 ||
+      !StartsWith(file.bytes.subspan(at + 4), "Adobe")) {
+    return false;
+  }
+  const std::uint32_t code = file.BigEndian(at + 15, 1);
+  return code == 0 || code == 2;
 }
 
 // Adobe's programs write four inks inverted (255: none) and mark the file; without their mark,
 // programs disagree on which end is full ink.
-void CheckInks(const File& file, std::size_t frame, bool has_adobe_marker) {
-  if (has_adobe_marker || frame == 0 || NumChannels(file, frame) != 4) return;
+void CheckInks(const File& file, std::size_t frame, bool is_told) {
+  if (is_told || frame == 0 || NumChannels(file, frame) != 4) return;
   file.Fail(frame + 5,
-            "a JPEG of four inks (CMYK) without Adobe's marker: nothing tells whether 0 or 255 is "
+            "a JPEG of four inks (CMYK) without Adobe's marker of CMYK or YCCK: nothing tells "
+            "whether 0 or 255 is "
             "full ink",
             "convert it to RGB");
 }
@@ -172,7 +178,7 @@ ImageHeader ReadJpeg(const File& file) {
   constexpr std::uint32_t kExif = 0xE1;
   ImageHeader header;
   bool has_exif = false;
-  bool has_adobe_marker = false;
+  bool tells_of_inks = false;
   std::size_t frame = 0;  // of the first scan; 0: none yet
   for (std::size_t at = 2;;) {
     if (file.BigEndian(at, 1) != 0xFF) file.Fail(at, "a damaged JPEG: a marker is due here");
@@ -187,12 +193,12 @@ ImageHeader ReadJpeg(const File& file) {
       return header;
     }
     has_exif = has_exif || marker == kExif;
-    has_adobe_marker = has_adobe_marker || IsAdobeMarker(file, at);
+    tells_of_inks = tells_of_inks || TellsOfInks(file, at);
     if (IsStartOfFrame(marker)) {
       frame = at + 4;
       header = ReadFrame(file, frame);
     }
-    if (marker == 0xDA) CheckInks(file, frame, has_adobe_marker);
+    if (marker == 0xDA) CheckInks(file, frame, tells_of_inks);
     const std::size_t length = file.BigEndian(at + 2, 2);
     if (length < 2) file.Fail(at, "a damaged JPEG: a segment without a length");
     at += 2 + length;

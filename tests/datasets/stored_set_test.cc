@@ -149,6 +149,12 @@ TEST(CheckSet, MissesTheListOfAMadeUpKind) {
     EXPECT_EQ(checked.faults[0].reason,
               "is not there; dataset.toml tells of a set of the kind " + std::string(kind));
   }
+  WriteFileAtomically(folder / "holds.csv", kHold);
+  WriteFileAtomically(folder / "dataset.toml", "kind = \"regrasp\"\n");
+  const CheckedSet holds_alone = CheckSet(OpenSet(folder.path()));
+  ASSERT_FALSE(holds_alone.faults.empty());
+  EXPECT_EQ(holds_alone.faults[0].path, "demonstrations.csv");
+  std::filesystem::remove(folder / "holds.csv");
   WriteFileAtomically(folder / "dataset.toml", "kind = \"turntable\"\n");
   EXPECT_THAT(CheckSet(OpenSet(folder.path())).faults, IsEmpty());
   WriteFileAtomically(folder / "dataset.toml", "[camera]\n");

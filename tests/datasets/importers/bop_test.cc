@@ -148,6 +148,9 @@ TEST_F(ListBopTest, LeavesOutWhatIsHidden) {
   const json seen = {{"visib_fract", 0.5}};
   WriteText("1/scene_gt_info.json", json({{"0", {hidden, seen}}, {"10", {hidden}}}).dump());
   EXPECT_THAT(List().pictures, SizeIs(1));
+  ASSERT_FALSE(List().notes.empty());
+  EXPECT_EQ(List().notes[0].reason,
+            "left out, the first of 2: less than 0.1 of the object is seen");
   EXPECT_THAT(List({.min_visible = 0.0}).pictures, SizeIs(3));
   EXPECT_THAT(Refusal({.min_visible = 0.9}), HasSubstr("no object to be seen; found 1 scenes"));
   WriteText("1/scene_gt_info.json", json({{"0", {hidden}}}).dump());
@@ -177,6 +180,15 @@ TEST_F(ListBopTest, NamesThePlaceOfAFault) {
       {refusal_of(cameras_, "/0/cam_K/0", 0), "scene_camera.json: at /0/cam_K: a focal length"},
       {refusal_of(cameras_, "/0/depth_scale", -1), "at /0/depth_scale: not in (0, 1000]"}};
   for (const auto& [refusal, message] : cases) EXPECT_THAT(refusal, HasSubstr(message));
+}
+
+TEST_F(ListBopTest, TellsOfASceneWithoutItsList) {
+  WriteText("2/scene_camera.json", cameras_.dump());
+  const SourceSet source = List();
+  EXPECT_THAT(source.pictures, SizeIs(3));
+  ASSERT_FALSE(source.notes.empty());
+  EXPECT_EQ(source.notes[0].path, (tree_ / "2/scene_gt.json").string());
+  EXPECT_EQ(source.notes[0].reason, "left out: no such list, which tells what the scene shows");
 }
 
 TEST_F(ListBopTest, LeavesOutWhatIsNotThereOrNotSeen) {

@@ -43,6 +43,12 @@ TEST(PlanImport, SplitsThinsAndKeepsTheGap) {
   SourceSet source = Numbered(6);
   source.split_gap = 3;
   EXPECT_EQ(SplitsOf(source, {}), "rree");
+  PlanImport(source, {});
+  ASSERT_EQ(source.notes.size(), 1U);
+  EXPECT_EQ(source.notes[0].path, "c");
+  EXPECT_EQ(source.notes[0].reason,
+            "left out, the first of 2: its number is less than 3 below the first of the test, and "
+            "it may show the same object");
 }
 
 TEST(PlanImport, RefusesTwins) {

@@ -143,6 +143,11 @@ TEST(ReadImageHeader, RefusesInksThatNothingExplains) {
                         AllOf(HasSubstr("file at byte 80: a JPEG of four inks"),
                               HasSubstr("without Adobe's marker"),
                               HasSubstr("(convert it to RGB)")));
+  for (const int unknown : {1, 7}) {
+    EXPECT_THROWS_MESSAGE(read(static_cast<testing::InkCode>(unknown)),
+                          Error,
+                          HasSubstr("without Adobe's marker of CMYK or YCCK"));
+  }
 }
 
 TEST(ReadImageHeader, RefusesAJpegOfTwoChannels) {
