@@ -102,6 +102,9 @@ std::string ToText(const svm::Calibration& calibration, const std::string& sampl
              chosen.num_known,
              WithInterval(chosen.num_known_rejected, chosen.num_known)) +
          others.ToText() +
+         (chosen.num_novel_rejected > 0
+              ? ""
+              : "\nThis threshold finds none: what is novel here looks like what is known.\n") +
          fmt::format(
              "\n--max-lost takes another. Known {} that are less like those trained on\n"
              "are lost more often: measure it with 'handcraft evaluate'.\n",

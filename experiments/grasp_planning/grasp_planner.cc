@@ -57,9 +57,11 @@ void RequireSizes(const GraspScene& scene) {
     return width == scene.cloud.width && height == scene.cloud.height;
   };
   if (fits(scene.image.width(), scene.image.height()) &&
-      fits(scene.object_mask.width(), scene.object_mask.height()) &&
-      scene.object_mask.channels() == 1) {
-    return;
+      fits(scene.object_mask.width(), scene.object_mask.height())) {
+    if (scene.object_mask.channels() == 1) return;
+    throw Error(
+        {.reason = fmt::format("the mask has {} channels; 1 is due", scene.object_mask.channels()),
+         .remedy = "give a --mask in gray that is 0 where the object is not"});
   }
   throw Error(
       {.reason = fmt::format("the picture has {} × {} pixels, the mask {} × {} and the cloud "

@@ -4,18 +4,21 @@
 #include "experiments/object_classes/novel_views.h"
 
 #include <cstddef>
-#include <filesystem>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "datasets/object_clouds.h"
 #include "lib/core/error.h"
+#include "lib/core/file.h"
+#include "lib/core/sha256.h"
 
 namespace handcraft::experiments {
 namespace {
 
-std::string CloudPath(const datasets::ViewSet& set, const datasets::ObjectView& view) {
-  return std::filesystem::weakly_canonical(set.root / view.cloud).string();
+// By its bytes, wherever it lies; empty: the view has none.
+std::string CloudDigest(const datasets::ViewSet& set, const datasets::ObjectView& view) {
+  return view.cloud.empty() ? "" : Sha256Hex(ReadFile(set.root / view.cloud));
 }
 
 [[noreturn]] void RefuseKnown(const datasets::ViewSet& novel,
@@ -38,7 +41,9 @@ void RequireNovel(const datasets::ViewSet& novel,
   for (const datasets::ObjectView& view : known.items) {
     if (!to_tell.contains(view.object_class)) continue;
     instances.insert(view.instance);
-    clouds.insert(CloudPath(known, view));
+    if (std::string digest = CloudDigest(known, view); !digest.empty()) {
+      clouds.insert(std::move(digest));
+    }
   }
   for (const datasets::ObjectView& view : novel.items) {
     if (to_tell.contains(view.object_class)) {
@@ -47,7 +52,7 @@ void RequireNovel(const datasets::ViewSet& novel,
     if (instances.contains(view.instance)) {
       RefuseKnown(novel, view, "the instance '" + view.instance + "' is trained on");
     }
-    if (clouds.contains(CloudPath(novel, view))) {
+    if (clouds.contains(CloudDigest(novel, view))) {
       RefuseKnown(novel, view, "its cloud is trained on");
     }
   }

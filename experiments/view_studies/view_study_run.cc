@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "datasets/formats/demonstration_set.h"
+#include "experiments/evaluation/loaded_model.h"
 #include "experiments/evaluation/report_table.h"
 #include "experiments/grasp_planning/grasp_library_input.h"
 #include "experiments/runner/pinned_inputs.h"
@@ -23,6 +24,7 @@
 #include "lib/core/fields.h"
 #include "lib/core/file.h"
 #include "lib/core/option_rules.h"
+#include "lib/robot/robot_file.h"
 #include "lib/runtime/handcraft_runtime.h"
 
 namespace handcraft::experiments {
@@ -145,11 +147,22 @@ fs::path DemonstrationsOf(const ViewStudyRun& run, const ViewStudyRunOptions& op
       .root;
 }
 
+// Files that plans need are looked at before sets are made, which takes minutes.
+void RequireFilesOfPlans(const ViewStudyRun& run) {
+  if (!IsOfPlans(run.study.task)) return;
+  for (const ViewCell& cell : run.cells) {
+    const GraspSettings& grasps = cell.settings.grasps;
+    static_cast<void>(robot::ReadRobotFile(grasps.robot));
+    if (!grasps.grasp_points.empty()) static_cast<void>(LoadModel(grasps.grasp_points));
+  }
+}
+
 }  // namespace
 
 ViewStudyRun RunViewStudy(const ViewStudy& study, const ViewStudyRunOptions& options) {
   RequireOption(options.num_threads >= 1, "num_threads", options.num_threads, "at least 1");
   ViewStudyRun run{.study = study, .cells = MakeViewCells(study)};
+  RequireFilesOfPlans(run);
   const PinnedInputs inputs(options.out);
   inputs.Pin("version", fmt::format("{}\n", hc_version()));
   inputs.Pin("study", fmt::format("{}\n", fmt::join(CanonicalLines(study), "\n")));

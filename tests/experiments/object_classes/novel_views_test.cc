@@ -153,6 +153,8 @@ TEST_F(NovelViews, AreNotKnownOnes) {
   refused([](auto& view) { view.cloud = "../known/ball_1.pcd"; }, "its cloud is trained on");
   std::filesystem::create_directory_symlink(folder_ / "known", folder_ / "novel" / "link");
   refused([](auto& view) { view.cloud = "link/ball_1.pcd"; }, "its cloud is trained on");
+  std::filesystem::copy_file(folder_ / "known/ball_1.pcd", folder_ / "novel/copy.pcd");
+  refused([](auto& view) { view.cloud = "copy.pcd"; }, "its cloud is trained on");
 }
 
 }  // namespace

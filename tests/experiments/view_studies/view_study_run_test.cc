@@ -105,6 +105,21 @@ TEST(RunViewStudy, TellsWhichGraspsWouldHold) {
                         HasSubstr("groups.bottles: \"jug\" is none of the objects"));
 }
 
+TEST(RunViewStudy, LooksForTheRobotBeforeItMakesSets) {
+  const TemporaryDirectory folder;
+  const ViewStudy study{.name = "plans",
+                        .title = "Plans",
+                        .task = ViewTask::kGraspPlan,
+                        .train = {.families = {synthetic::Family::kTaught}, .num_views = 1},
+                        .demonstrations = ViewSource{.folder = (folder / "no").string()},
+                        .settings = {{"robot", (folder / "no.toml").string()}},
+                        .methods = {{"click", {}}}};
+  EXPECT_THROWS_MESSAGE(static_cast<void>(RunViewStudy(study, {.out = folder / "out"})),
+                        Error,
+                        HasSubstr("no.toml: cannot open"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/train"));
+}
+
 TEST(RunViewStudy, RefusesOtherInputsInTheSameFolder) {
   const TemporaryDirectory folder;
   ViewStudy study = MakeSmallViewStudy(folder / "views", ViewTask::kObjectRotation);
