@@ -162,11 +162,14 @@ TEST_F(TrainObjectClass, NovelViewsSetAThresholdThatAllCommandsHonour) {
                     HasSubstr("hc.metrics.rejection.false_acceptance"),
                     HasSubstr("hc.training.object_class.novel_fingerprint")));
 
+  const auto predict = [&](int number) {
+    const std::string stem = Path("novel/ramp_" + std::to_string(number));
+    return RunLine("predict " + Path("m") + " " + stem + ".pcd --json --object-mask " + stem +
+                   "_mask.png");
+  };
   std::size_t num_rejected = 0;
   for (int i = 0; i < 8; ++i) {
-    const std::string stem = Path("novel/ramp_" + std::to_string(i));
-    const Outcome said = RunLine("predict " + Path("m") + " " + stem +
-                                 ".pcd --json --object-mask " + stem + "_mask.png");
+    const Outcome said = predict(i);
     ASSERT_EQ(said.code, 0) << said.err;
     const Json one = Json::parse(said.out)["predictions"][0];
     EXPECT_EQ(one["class"].is_null(), one["margin"].get<double>() < threshold);
